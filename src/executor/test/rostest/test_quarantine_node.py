@@ -4,7 +4,6 @@
 import os
 import signal
 import sys
-import unittest
 import xmlrpc.client
 
 import rosgraph
@@ -12,25 +11,13 @@ import rostest
 from roboframenet_msgs.msg import Reply
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from test_executor_node import ExecutorNodeTest, frame
+from executor_case import ExecutorCase, frame
 
 from roboframenet_testing import wait_until
 
 
-class QuarantineTest(unittest.TestCase):
+class QuarantineTest(ExecutorCase):
     """One executor with a long quarantine."""
-
-    send = ExecutorNodeTest.send
-    send_nodes = ExecutorNodeTest.send_nodes
-    events_of = ExecutorNodeTest.events_of
-    wait_for_reply = ExecutorNodeTest.wait_for_reply
-    assert_reply = ExecutorNodeTest.assert_reply
-    wait_for_log = ExecutorNodeTest.wait_for_log
-    count = 0
-    setUpClass = classmethod(ExecutorNodeTest.setUpClass.__func__)
-
-    def setUp(self):
-        del self.log[:]
 
     def test_server_that_hangs_is_asked_once_until_it_was_started_again(self):
         self.assert_reply(

@@ -1,6 +1,7 @@
 """Frames of taking, putting, giving, opening, switching and moving things."""
 
 import math
+import re
 from typing import Dict, List, Optional
 
 from home_servers.body import CannotDo
@@ -14,6 +15,8 @@ _AWAY = ("left", "right", "forward", "back", "backward")
 TABLES = ("table", "counter", "desk")
 #: An angle when none is said.
 _HALF_TURN_RAD = math.pi / 2.0
+#: A level in front of its unit: "21.5 degrees".
+_NUMBER = re.compile(r"\d+(\.\d+)?")
 
 
 def things(skills: Skills, frame: FilledFrame, element: str = "theme", source: str = "source") -> List[Known]:
@@ -173,9 +176,10 @@ def _switch_one(skills: Skills, one: Known, wanted: TypedArgument) -> None:
         skills.attempt("switch", theme=one.id, value=words)
     elif words in ("up", "down", "higher", "lower"):
         _change_level(skills, one, 20.0 if words in ("up", "higher") else -20.0)
-    elif wanted.si is not None or wanted.count is not None or words.replace(".", "", 1).isdigit():
+    elif wanted.si is not None or wanted.count is not None or _NUMBER.match(words):
+        said = _NUMBER.match(words)
         amount = wanted.count if wanted.count is not None else wanted.si
-        skills.attempt("switch", theme=one.id, amount=float(words if amount is None else amount))
+        skills.attempt("switch", theme=one.id, amount=float(said.group() if said else amount or 0.0))
     elif words:
         skills.attempt("switch", theme=one.id, value=words)
     else:

@@ -17,9 +17,11 @@ from utterance_passes.formula_file import is_filler
 from utterance_passes.objections import plain
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, mark_times, set_aside
+from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 BEGINNINGS_FILE = Path(__file__).resolve().parent / "beginnings.yaml"
+_PREPOSITIONS = word_class("place_prepositions_alike")
 _KINDS = ("follow", "beside")
 _PLACES = ("front", "behind")
 
@@ -82,7 +84,7 @@ def beginning_of(tree: DependencyTree) -> Optional[Beginning]:
     for kind in _KINDS:
         for place in _PLACES:
             length = _length(shipped_beginnings()[kind, place], _from(place, forms))
-            if 0 < length < len(words):
+            if 0 < length < len(words) and not (place == "front" and " ".join(forms[:2]) in _PREPOSITIONS):
                 said: List[Word] = words[-length:] if place == "behind" else words[:length]
                 return Beginning(kind.upper(), frozenset(word.index for word in said))
     return None

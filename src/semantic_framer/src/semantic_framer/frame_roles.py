@@ -29,3 +29,4 @@ NO_THINGS: FrozenSet[str] = frozenset(
 #: The verbs of these elements need no tool or company, so a phrase with "with" describes the element.
 DESCRIBED: FrozenSet[str] = frozenset(["Cotheme", "Category", "Item"])
 DIRECTION = "Direction"
+OPERATIONAL_STATE = "Operational_state"

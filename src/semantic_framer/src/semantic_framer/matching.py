@@ -21,7 +21,7 @@ from semantic_framer.attachment import (
 )
 from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
+from semantic_framer.measured_elements import is_setting, measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
@@ -213,7 +213,8 @@ class _Filling:
                 if numeral is not None:
                     self._numeral_of[relation.name] = numeral
                     return
-                if not relation.words and (self._is_in_a_measure(head) or is_adverb):
+                is_measure = self._is_in_a_measure(head) and not is_setting(self._frame, relation, head, self._amounts)
+                if not relation.words and (is_measure or is_adverb):
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed

@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, Optional, Sequence, Tuple
 
+from semantic_framer.frame_roles import OPERATIONAL_STATE
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, slight_words
 from semantic_frames.frame import Quantity, SemanticFrame
-from semantic_frames.lexical_unit import LexicalUnit, RelationPath
+from semantic_frames.lexical_unit import ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
 from spoken_quantities import find_unit
 from utterance_passes.measures import Amount
@@ -134,3 +135,10 @@ def numeral_at(head: int, path: RelationPath, amounts: Sequence[Amount]) -> Opti
         return None
     numeral = [position for position in amount.positions if position != amount.unit_position]
     return amount if amount.is_doubtful or numeral != [head] else None
+
+
+def is_setting(frame: SemanticFrame, relation: ElementRelation, head: int, amounts: Sequence[Amount]) -> bool:
+    """Whether degrees are the state that a device shall have, and no angle: "set the oven *to 200 degrees*"."""
+    element = frame.element(relation.name)
+    is_state = relation.is_required and element is not None and element.framenet == OPERATIONAL_STATE
+    return is_state and any(head in amount.positions and amount.quantity == "angle" for amount in amounts)

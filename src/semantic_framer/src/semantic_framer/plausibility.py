@@ -17,8 +17,10 @@ from word_classes import word_class
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
+_VAGUE_PERIODS = word_class("vague_periods")
 _FORWARD_AND_BACKWARD = word_class("forward_and_backward")
 _HEARERS = word_class("hearers")
+_ITSELF = frozenset(["yourself"])
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING = word_class("placing_prepositions")
@@ -164,6 +166,8 @@ def is_subject_of_a_question(filled: Filled) -> bool:
         return False
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
     is_asked = any(word.form.lower() in _QUESTION_WORDS for word in asked if word.index < head.index)
+    # "See if there is any mail" does not look at the mail.
+    is_asked = is_asked or any(child.deprel == "expl" for child in filled.tree.children(head.head))
     return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
 
 
@@ -180,10 +184,10 @@ def is_way(filled: Filled) -> bool:
 
 
 def is_degree(filled: Filled) -> bool:
-    """Whether a degree is taken for a thing: "move a bit", but not "a bit of bread"."""
+    """Whether a degree or a time is taken for a thing: "move a bit", "wait a moment", but not "a bit of bread"."""
     children = filled.tree.children(filled.head.index)
     is_of_something = any(child.deprel == "nmod" for child in children)
-    return bool(filled.roles) and filled.head.form.lower() in _DEGREES and not is_of_something
+    return bool(filled.roles) and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS and not is_of_something
 
 
 def is_side(filled: Filled) -> bool:
@@ -207,10 +211,13 @@ def _is_direction_said_beside(filled: Filled) -> bool:
 
 
 def is_deed(filled: Filled) -> bool:
-    """Whether a deed, an event or a way is taken for a thing that is moved, given or held: "take a nap"."""
+    """Whether a deed, an event, a way or the robot itself is taken for a thing that is moved, given or held: "take a
+    nap", "put yourself next to the door".
+    """
     is_subject = filled.head.deprel.startswith("nsubj")
     is_moved = bool(filled.roles & THINGS) and not is_subject
-    return is_moved and is_no_thing(filled.tree, filled.head.index, filled.reading.verb)
+    is_robot = filled.head.form.lower() in _ITSELF
+    return is_moved and (is_robot or is_no_thing(filled.tree, filled.head.index, filled.reading.verb))
 
 
 def is_listed_elsewhere(filled: Filled) -> bool:

@@ -361,6 +361,9 @@ class _Front:
             if word.xpos == "VBN" and is_helped:
                 return "PART"
             return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
+        is_helped = any(child.deprel.startswith("aux") for child in self._tree.children(word.index))
+        if self._clause.subject and word.xpos in ("VB", "VBP") and not is_helped:
+            return "PAST"  # "You forgot the sugar": the tagger takes it for a base form.
         by_ending = "GERUND" if form.endswith("ing") else "PAST" if form.endswith("ed") else "BASE"
         return _FORM_OF_TAG.get(word.xpos, by_ending)
 

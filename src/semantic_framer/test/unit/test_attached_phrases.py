@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from semantic_framer.framer import LeftOverWords, Policy, Question, Understood
+from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood
 
 
 @pytest.mark.parametrize(
@@ -28,6 +28,12 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Understood
         ("Bring me something to drink.", "bringing(theme=something to drink, beneficiary=me)"),
         ("Grab the second bottle from the left.", "taking(theme=the second bottle from the left)"),
         ("Put the left shoe next to the right one.", "placing(theme=the left shoe, goal=the right one)"),
+        ("Open the second drawer from the top.", "opening_container(containing_object=the second drawer from the top)"),
+        ("Turn the box upside down.", "rotating(theme=the box, direction=down)"),
+        ("Do the dishes.", "washing_dishes(object=the dishes)"),
+        ("Let Ben know that the taxi is here.", "telling(message=the taxi is here, addressee=Ben)"),
+        ("Set the oven to 200 degrees.", "switching_device(device=the oven, operational_state=200 degrees)"),
+        ("Take the red mug, not the white one, to my desk.", "bringing(theme=the red mug, goal=my desk)"),
         ("Stand in the square.", "navigating_to_location(goal=the square)"),
         # Spellings.
         ("Turn ninety degrees counter-clockwise.", "turning(direction=counterclockwise, angle=90, angle_unit=degrees)"),
@@ -60,3 +66,11 @@ def test_all_but_one_has_an_exception(understand: Any) -> None:
     assert isinstance(outcome, Understood)
     theme = outcome.clauses[0][0].argument("theme")
     assert theme is not None and [one.text for one in theme.exceptions] == ["beer"] and not theme.members
+
+
+@pytest.mark.parametrize(
+    ("text", "code"), [("You forgot the sugar.", "REPORT"), ("See if there's any mail.", "NO_READING")]
+)
+def test_what_is_told_or_only_asked_is_not_done(understand: Any, text: str, code: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Refusal) and outcome.code == code

@@ -207,3 +207,11 @@ def test_a_robot_with_one_voice_does_not_say_louder_as_words(talk: Talk, text: s
 def test_another_way_is_the_other_way(talk: Talk) -> None:
     talk.say("Turn left ninety degrees.")
     assert talk.frames("Other way.") == ("turning(direction=right, angle=90, angle_unit=degrees)",)
+
+
+def test_next_to_is_a_place_and_no_beginning(talk: Talk) -> None:
+    talk.say("Put the mug on the table.")
+    outcome = talk.say("Next to the plate.")
+    assert isinstance(outcome, Understood) and outcome.beginning == "REPLACE"
+    goal = outcome.clauses[0][0].argument("goal")
+    assert goal is not None and (goal.text, goal.relation) == ("the plate", "next_to")

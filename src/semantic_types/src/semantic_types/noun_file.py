@@ -1,6 +1,6 @@
 """Reads the file that maps WordNet's synsets, and words that WordNet lacks, to semantic types."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Dict, List, Mapping, Optional, Tuple
 
 import yaml
@@ -9,8 +9,9 @@ from semantic_frames.marked_yaml import Reader, describe
 from semantic_frames.semantic_type import read_semantic_type, read_semantic_types
 from semantic_types.wordnet import WordNet
 
-FILE_KEYS = ("synsets", "words")
+FILE_KEYS = ("synsets", "kinds", "words")
 SYNSET_KEYS = ("synset", "because")
+KIND_KEYS = ("synset", "is_also", "because")
 WORD_KEYS = ("types", "because")
 
 
@@ -21,10 +22,12 @@ class NounFile:
     Attributes:
         synsets: types of a synset and of everything below it that has no entry of its own
         words: types of words, in the order of likelihood; they replace what WordNet says
+        kinds: synsets of which a synset is a kind, beside those that WordNet says
     """
 
     synsets: Mapping[int, Tuple[str, ...]]
     words: Mapping[str, Tuple[str, ...]]
+    kinds: Mapping[int, Tuple[int, ...]] = field(default_factory=dict)
 
 
 def load_noun_file(text: str, path: str, wordnet: WordNet) -> NounFile:
@@ -40,6 +43,7 @@ def load_noun_file(text: str, path: str, wordnet: WordNet) -> NounFile:
     reader = Reader(path)
     root = reader.mapping(reader.compose(text, "a mapping with synsets"), "", FILE_KEYS, required=("synsets",))
     synsets = _synsets(reader, root.get("synsets"), wordnet)
+    kinds = _kinds(reader, root.get("kinds"), wordnet)
     words: Dict[str, Tuple[str, ...]] = {}
     for name_node, node in reader.free_mapping(root.get("words"), "words"):
         word = " ".join(reader.name(name_node, "words").lower().split())
@@ -49,7 +53,7 @@ def load_noun_file(text: str, path: str, wordnet: WordNet) -> NounFile:
             reader.report("DUPLICATE_WORD", name_node, key, f"a second '{word}'", "each word once")
         words[word] = read_semantic_types(reader, entry.get("types"), f"{key}.types")
     reader.refuse_if_wrong()
-    return NounFile({synset: tuple(types) for synset, types in synsets.items()}, words)
+    return NounFile({synset: tuple(types) for synset, types in synsets.items()}, words, kinds)
 
 
 def _synsets(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Mapping[int, List[str]]:
@@ -59,13 +63,32 @@ def _synsets(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Map
         for key, item in reader.sequence(list_node, f"synsets.{name}"):
             is_explained = isinstance(item, yaml.MappingNode)
             entry = reader.mapping(item, key, SYNSET_KEYS, required=SYNSET_KEYS) if is_explained else {"synset": item}
-            synset_name = reader.name(entry.get("synset"), f"{key}.synset")
-            synset = wordnet.synset(synset_name)
+            synset = _synset(reader, entry.get("synset"), key, wordnet)
             if synset is None:
-                expected = "a synset of WordNet such as person.n.01, the first sense of 'person'"
-                reader.report("UNKNOWN_SYNSET", item, key, f"'{synset_name}'", expected)
                 continue
             if name in found.setdefault(synset, []):
-                reader.report("DUPLICATE_SYNSET", item, key, f"a second '{synset_name}'", "each synset once")
+                reader.report("DUPLICATE_SYNSET", item, key, f"a second '{describe(item)}'", "each synset once")
             found[synset].append(name)
     return found
+
+
+def _kinds(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Mapping[int, Tuple[int, ...]]:
+    found: Dict[int, Tuple[int, ...]] = {}
+    for key, item in reader.sequence(node, "kinds"):
+        entry = reader.mapping(item, key, KIND_KEYS, required=KIND_KEYS)
+        synset = _synset(reader, entry.get("synset"), key, wordnet)
+        above = _synset(reader, entry.get("is_also"), key, wordnet)
+        if synset is not None and above is not None:
+            found[synset] = (*found.get(synset, ()), above)
+    return found
+
+
+def _synset(reader: Reader, node: Optional[yaml.Node], key: str, wordnet: WordNet) -> Optional[int]:
+    if node is None:
+        return None  # The missing key is reported.
+    name = reader.name(node, key)
+    synset = wordnet.synset(name)
+    if synset is None:
+        expected = "a synset of WordNet such as person.n.01, the first sense of 'person'"
+        reader.report("UNKNOWN_SYNSET", node, key, f"'{name}'", expected)
+    return synset

@@ -12,9 +12,9 @@ from semantic_types.wordnet import Sense, WordNet, shipped_wordnet
 
 #: The file is beside this module in the source, devel and install space.
 NOUN_FILE = Path(__file__).resolve().parent / "nouns.yaml"
-#: WordNet counts senses in texts of newspapers and novels. A person who talks to a robot means what can be seen and
 #: A sense is rare when it is said less often than this share of the most frequent one.
 FREQUENT_SHARE = 0.3
+#: WordNet counts senses in texts of newspapers and novels. A person who talks to a robot means what can be seen and
 #: touched more often: "table" is the piece of furniture, though WordNet counts the one in a text twice as often.
 PHYSICAL_WEIGHT = 3.0
 #: Bounds of the memory for words and synsets; a household has fewer.
@@ -80,14 +80,14 @@ class Nouns:
         return frozenset(sense.synset for sense in senses if sense.count >= FREQUENT_SHARE * most)
 
     def _kinds(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
-        """Return what a noun is a kind of: the senses of ``synsets`` and every more general synset."""
+        """Return what a noun is a kind of: the senses of ``synsets`` and every more general synset, by the file too."""
         found: Set[int] = set()
         left = list(self.synsets(noun, is_person=is_person))
         while left:
             synset = left.pop()
             if synset not in found:
                 found.add(synset)
-                left += self._wordnet.hypernyms(synset)
+                left += (*self._wordnet.hypernyms(synset), *self._file.kinds.get(synset, ()))
         return frozenset(found)
 
     def _weights(self, sense: Sense, place: int) -> Dict[str, float]:

@@ -103,6 +103,8 @@ def test_every_type_is_used_and_ends_in_a_root():
         ("synsets: {Human: [persn.n.01]}", "UNKNOWN_SYNSET", "synsets.Human[0]"),
         ("synsets: {Human: [person.n.01, person.n.01]}", "DUPLICATE_SYNSET", "synsets.Human[1]"),
         ("synsets: {Human: [{synset: person.n.01}]}", "MISSING_KEY", "synsets.Human[0].because"),
+        ("synsets: {}\nkinds: [{synset: lamp.n.01, is_also: lght.n.02, because: x}]", "UNKNOWN_SYNSET", "kinds[0]"),
+        ("synsets: {}\nkinds: [{synset: lamp.n.01, because: x}]", "MISSING_KEY", "kinds[0].is_also"),
         ("synsets: {}\nwords: {tap: {types: [Valv], because: x}}", "UNKNOWN_TYPE", "words.tap.types[0]"),
         (
             "synsets: {}\nwords: {tap: {types: Valve, because: x}, TAP: {types: Valve, because: x}}",

@@ -13,7 +13,6 @@ _GOING = word_class("verbs_of_going")
 
 _HANDS = word_class("hands")
 _INDEFINITE_THINGS = word_class("indefinite_things")
-_LEFT_AND_RIGHT = word_class("left_and_right")
 _NOT = word_class("not")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
@@ -21,6 +20,7 @@ _ORDINALS = word_class("ordinals")
 #: Relations of phrases that are added to a deed.
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _OF_WAYS = frozenset(["down", "up"])
+_SIDES = word_class("sides_of_a_row")
 _TO_PREPOSITIONS = word_class("to_prepositions")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
@@ -45,12 +45,29 @@ def _is_own(tree: DependencyTree, hand: Word) -> bool:
     return is_used and (is_yours or any(child.form.lower() in _OF_ONE_HAND for child in children))
 
 
+def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make an adverb of "upside down": the parser makes a compound of the thing before it."""
+    edit = TreeEdit(tree)
+    for upside, down in zip(tree.words, tree.words[1:]):
+        things = [child for child in tree.children(upside.index) if child.deprel == "compound"]
+        if (upside.form.lower(), down.form.lower()) != ("upside", "down") or not things or not upside.head:
+            continue
+        thing = things[-1]
+        for child in tree.children(upside.index):
+            edit.rehang(child.index, thing.index)
+        edit.rehang(thing.index, upside.head, upside.deprel)
+        edit.retag(upside.index, "ADV", "RB")
+        edit.rehang(upside.index, down.index, "advmod")
+        edit.rehang(down.index, upside.head, "advmod")
+    return edit.tree()
+
+
 def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the side from which things are counted to the thing: "the second bottle *from the left*"."""
     edit = TreeEdit(tree)
     for side in tree.words:
         cases = [child for child in tree.children(side.index) if child.deprel == "case"]
-        if side.form.lower() not in _LEFT_AND_RIGHT or [case.form.lower() for case in cases] != ["from"]:
+        if side.form.lower() not in _SIDES or [case.form.lower() for case in cases] != ["from"]:
             continue
         noun = tree.word(cases[0].index - 1) if cases[0].index > 1 else side
         is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(noun.index))
@@ -145,4 +162,7 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:
+    """Whether nothing, or a pause, follows: "take the red mug, *not the white one*, to my desk"."""
+    if word.index < len(tree.words) and tree.word(word.index + 1).form == ",":
+        return True
     return all(one.upos == "PUNCT" or one.deprel.startswith("discourse") for one in tree.words[word.index :])

@@ -48,6 +48,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_hands_at_verbs,
     ),
     TreePass(
+        "upside_down",
+        'Make an adverb of "upside down".',
+        Example(
+            "turn|VERB|0|root boxes|NOUN|3|compound upside|NOUN|1|obj down|ADV|1|advmod",
+            ("boxes: compound(upside) -> obj(turn)", "upside: obj(turn) NOUN/upside -> advmod(down) ADV/upside"),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_upside_down,
+    ),
+    TreePass(
         "places_in_a_row",
         "Attach the side from which things are counted to the thing.",
         Example(

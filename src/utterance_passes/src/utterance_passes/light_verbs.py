@@ -6,6 +6,8 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _WISH = "want"
+_WASH = "wash"
+_WASHED = word_class("washed_things_done")
 #: "Can I have ...", "could we get ...".
 _ASKED_FOR = frozenset(["have", "get"])
 _PERMISSION_MODALS = word_class("permission_modals")
@@ -25,6 +27,8 @@ def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
         lemma = word.lemma.lower()
         if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
             edit.respell(word.index, "make")
+        elif lemma == "do" and word.upos == "VERB" and _is_washed(tree, word, vocabulary):
+            edit.respell(word.index, _WASH)
         elif (
             lemma in _ASKED_FOR | _WISHING_VERBS
             and _WISH in vocabulary.verbs_beginning_with(_WISH)
@@ -39,6 +43,13 @@ def _is_made(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
         *vocabulary.lists_of("make")
     )
     return any(child.deprel == "obj" and child.form.lower() in made for child in tree.children(word.index))
+
+
+def _is_washed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
+    """Whether what is done is washed: "do the dishes"."""
+    objects = [child for child in tree.children(word.index) if child.deprel == "obj"]
+    is_washed = any(child.form.lower() in _WASHED for child in objects)
+    return is_washed and _WASH in vocabulary.verbs_beginning_with(_WASH)
 
 
 def _is_wish(tree: DependencyTree, word: Word) -> bool:

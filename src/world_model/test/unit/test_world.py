@@ -25,6 +25,7 @@ things:
   mug_2: {x: 5, y: 1}
   sofa_1: {beside: coffee_table}
   chair_1: {in: hall}
+  reading_lamp: {category: lamp, in: hall}
 persons:
   anna: {in: hall, names: [Mrs. Miller]}
   rose: {}
@@ -49,6 +50,7 @@ def ids(objects) -> set:
         ("couch", {"sofa_1"}),
         ("furniture", {"sofa_1", "chair_1", "coffee_table"}),
         ("person", {"anna", "rose"}),
+        ("light", {"reading_lamp"}),
         ("unicorn", set()),
     ],
 )
