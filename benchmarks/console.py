@@ -258,7 +258,7 @@ def measure(seconds: float) -> None:
 def main(seconds: float) -> int:
     """Start the pipeline, a simulated robot and the measurement."""
     with OwnGraph() as graph:
-        graph.start(["roslaunch", "-p", str(graph.port), "roboframenet_bringup", "pipeline.launch"])
+        graph.start(["roslaunch", "-p", str(graph.port), "roboframenet_bringup", "pipeline.launch", "runtime:=lean"])
         # Its odometry goes to the page.
         graph.start(["rosrun", "roboframenet_sim", "turtlebot_sim"])
         relay = os.path.join(os.path.dirname(os.path.abspath(__file__)), "stage_latency.py")

@@ -38,13 +38,19 @@ class StopCases(CommandServerCase):
         self.fence()
         plan = Plan(nodes=[PlanNode(kind=PlanNode.DO, label="wave")])
         stopped.publish(StoppedPlan(command=command, plan=plan, said='"wave"'))
-        self.fence()
-        for text in ("Go on.", "Carry on."):
-            self.say(text)
-            asked = self.wait_for_reply(text)
-            self.assertEqual((Reply.NEEDS_INFORMATION, "CONFIRM"), (asked.outcome, asked.code))
-            self.assertTrue(asked.sentence.endswith('Shall I go on with "wave"?'), asked.sentence)
-            self.say("Yes." if text == "Carry on." else "fence, and no answer")
+
+        def is_asked():
+            self.say("Go on.")
+            self.fence()
+            return self.replies_to("Go on.")[-1].code == "CONFIRM"
+
+        # The report of the stop and the plan come on connections of their own. The fence is no answer.
+        wait_until(is_asked)
+        self.say("Carry on.")
+        asked = self.wait_for_reply("Carry on.")
+        self.assertEqual((Reply.NEEDS_INFORMATION, "CONFIRM"), (asked.outcome, asked.code))
+        self.assertTrue(asked.sentence.endswith('Shall I go on with "wave"?'), asked.sentence)
+        self.say("Yes.")
         wait_until(lambda: plans)
         self.assertEqual((plans[0].command.text, plans[0].plan.nodes[0].label), ("Yes.", "wave"))
         self.send_event(plans[0].command, "executor", is_final=True)

@@ -320,10 +320,11 @@ def _beside(references: Iterable[WorldObject], squares: Mapping[_Square, Sequenc
     for reference in references:
         pose = reference.pose
         if pose is not None and reference.sort is not Sort.PLACE:
+            spot = (reference.id, pose.x_m, pose.y_m)
             frame_id, column, row = _square(pose)
             for square in product((frame_id,), (column - 1, column, column + 1), (row - 1, row, row + 1)):
                 if square in squares:
-                    around.setdefault(square, []).append((reference.id, pose.x_m, pose.y_m))
+                    around.setdefault(square, []).append(spot)
     found: Set[str] = set()
     for square, spots in around.items():
         for name, x_m, y_m in squares[square]:
