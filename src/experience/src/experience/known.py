@@ -11,18 +11,18 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Dict, Iterable, Mapping, Optional, Tuple
 
-from experience.belief import OPEN, Belief, after, aged, mean, mixed, moments
+from experience.belief import CHANGED, OPEN, Belief, after, aged, mean, mixed, moments
 from experience.trial import Circumstances, Trial
 
 #: Probability that a server breaks or is mended between two trials of its frame.
-HAZARD = 0.01
+HAZARD = 0.003
 #: How much a new cell believes what is known of the server elsewhere; the rest is open.
-_INHERITED = 0.6
+_INHERITED = 0.85
 #: The log weights of the aspects before any trial: the fewer circumstances, the likelier.
 _NO_EVIDENCE = (0.0, -1.0, -1.0, -2.0, -2.0)
 #: The share of the evidence that is kept with each trial.
 _MEMORY = 0.97
-_OPEN_MOMENTS = moments(OPEN)
+_OPEN_MOMENTS, _CHANGED_MOMENTS = moments(OPEN), moments(CHANGED)
 #: Trials that an explanation counts, at most.
 RECENT = 20
 #: Subjects, and cells of each, that are known; those that were tried last stay.
@@ -170,9 +170,9 @@ class Experience:
             cell = record.cells.get((aspect, value))
             found = inherited
             if cell is not None:
-                found = _blended(cell.moments, (1.0 - HAZARD) ** (tick - cell.tick))
+                found = _blended(cell.moments, (1.0 - HAZARD) ** (tick - cell.tick), _CHANGED_MOMENTS)
             if aspect == 0:
-                inherited = _blended(found, _INHERITED)
+                inherited = _blended(found, _INHERITED, _OPEN_MOMENTS)
             weight = math.exp(record.evidence[aspect])
             total, rate, square = total + weight, rate + weight * found[0], square + weight * found[1]
             if cell is not None and weight > heaviest:
@@ -181,10 +181,10 @@ class Experience:
         return Expectation(rate, math.sqrt(max(0.0, square - rate * rate)), record.took_s, best, best_cell)
 
 
-def _blended(known: Tuple[float, float], share: float) -> Tuple[float, float]:
-    """Return the moments of a belief of which only a share is kept; the rest is open."""
+def _blended(known: Tuple[float, float], share: float, other: Tuple[float, float]) -> Tuple[float, float]:
+    """Return the moments of a belief of which only a share is kept; the rest is another one."""
     rest = 1.0 - share
-    return share * known[0] + rest * _OPEN_MOMENTS[0], share * known[1] + rest * _OPEN_MOMENTS[1]
+    return share * known[0] + rest * other[0], share * known[1] + rest * other[1]
 
 
 def _beliefs(record: Record, circumstances: Circumstances, tick: int) -> Dict[int, Tuple[str, Belief, Optional[Cell]]]:

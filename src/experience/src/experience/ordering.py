@@ -9,7 +9,7 @@ from experience.trial import Circumstances, kinds_of, referents_of
 from typed_arguments import FilledFrame
 
 #: What a failure costs beside its time, seconds: the person waits, and the robot may have to tidy up.
-FAILURE_S = 60.0
+FAILURE_S = 300.0
 #: How long a server takes that was never tried, seconds, while nothing of its frame is known.
 _UNTRIED_S = 10.0
 #: In frames where failing harms nothing, how much doubt speaks for a server, in standard deviations: it may work now.

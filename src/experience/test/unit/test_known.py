@@ -5,7 +5,7 @@ from typing import List
 
 import pytest
 
-from experience.belief import OPEN, aged, mean
+from experience.belief import CHANGED, aged, mean
 from experience.known import MOST_CELLS, MOST_SUBJECTS, Aspect, Experience, Subject, learned_from
 from experience.trial import Circumstances, Judgement, Outcome, Trial
 
@@ -33,9 +33,16 @@ def test_three_failures_overturn_twenty_successes() -> None:
     assert rate([TRIAL] * 20 + [FAILED] * 3) < 0.5
 
 
+def test_two_successes_show_that_a_server_was_mended() -> None:
+    others = [replace(TRIAL, server="/arm_b")] * 300
+    assert rate([FAILED] * 10 + others) < 0.4
+    assert rate([FAILED] * 10 + others + [TRIAL] * 2) > 0.8
+
+
 def test_what_was_not_tried_for_long_is_open_again() -> None:
-    others = [replace(TRIAL, server="/arm_b")] * 200
-    assert 0.3 < rate([FAILED] * 20 + others) < 0.5
+    others = [replace(TRIAL, server="/arm_b")] * 600
+    assert rate([FAILED] * 20) < 0.05
+    assert 0.3 < rate([FAILED] * 20 + others) < 0.6
 
 
 def test_server_that_fails_in_one_room_is_known_by_the_room() -> None:
@@ -77,7 +84,7 @@ def test_what_is_known_is_bounded() -> None:
     assert (0, "") in known.records[ARM].cells
 
 
-def test_belief_without_trials_becomes_open() -> None:
+def test_belief_without_trials_becomes_that_of_a_server_that_has_changed() -> None:
     sharp = (0.0,) * 10 + (1.0,)
     assert mean(aged(sharp, 5, hazard=0.01)) > 0.9
-    assert aged(sharp, 10_000, hazard=0.01) == pytest.approx(OPEN)
+    assert aged(sharp, 10_000, hazard=0.01) == pytest.approx(CHANGED)

@@ -137,11 +137,11 @@ class Conditions:
         if where.text:
             place = self._place(where)
             found = [one for one in found if self._is_at(one, place)]
-        return bool(found)
+        return _are_enough(found, frame["phenomenon"])
 
     def is_present(self, frame: Frame) -> bool:
         """Whether something is in sight."""
-        return any(one.id in self._sight.seen for one in self._find(frame["theme"]))
+        return _are_enough([one for one in self._find(frame["theme"]) if one.id in self._sight.seen], frame["theme"])
 
     def is_placed(self, frame: Frame) -> bool:
         """Whether something is where it is said to be."""
@@ -149,7 +149,7 @@ class Conditions:
         if self._is_robot(theme):
             return self._robot_is_at(place)
         found = self._find(theme, "thing", "person", "furniture")
-        if any(self._is_at(one, place) for one in found):
+        if _are_enough([one for one in found if self._is_at(one, place)], theme):
             return True
         told = self._memory.told_place(theme)
         if told:
@@ -163,10 +163,9 @@ class Conditions:
         place = self._here(frame["goal"])
         if self._is_robot(frame["theme"]):
             return self._robot_is_at(place)
-        return any(
-            one.id in self._sight.seen and self._is_at(one, place)
-            for one in self._find(frame["theme"], "person", "thing")
-        )
+        found = self._find(frame["theme"], "person", "thing")
+        here = [one for one in found if one.id in self._sight.seen and self._is_at(one, place)]
+        return _are_enough(here, frame["theme"])
 
     def has_left(self, frame: Frame) -> bool:
         """Whether somebody was seen elsewhere since they were at a place."""
@@ -228,6 +227,11 @@ class Conditions:
         if not owners:
             raise CannotTell(f"I have not seen {owner.text}")
         return any(one.relation == "held" and one.holder in owners for one in found)
+
+
+def _are_enough(found: List[Known], argument: TypedArgument) -> bool:
+    """Whether as many are found as were said: "three people"; one of them if no number was said."""
+    return len(found) >= max(1, argument.count or 1)
 
 
 #: States of what can run.

@@ -169,3 +169,11 @@ def test_what_does_not_run_neither_starts_nor_ends(memory: Memory, activity: str
     for frame in ("starting", "ending"):
         with pytest.raises(CannotTell):
             holds(memory, IN_OFFICE, frame, activity=activity)
+
+
+def test_as_many_as_were_said(memory: Memory) -> None:
+    three = TypedArgument("theme", "three people", head="people", lemma="person", count=3, is_plural=True)
+    one = TypedArgument("theme", "one person", head="person", lemma="person", count=1)
+    assert holds(memory, IN_KITCHEN, "place", theme=one, location="the kitchen") is True
+    assert holds(memory, IN_KITCHEN, "place", theme=three, location="the kitchen") is False
+    assert holds(memory, IN_KITCHEN, "presence", theme=three) is False

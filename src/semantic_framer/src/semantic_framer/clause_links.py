@@ -20,6 +20,7 @@ _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
 _LIMITS = word_class("limits_before_times")
+_TIMES = word_class("iteration_adverbs")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
@@ -143,6 +144,7 @@ class _Finder:
             joint, end = self._at(place, clock) if clock is not None else self._timed(place)
             # "After that" joins two deeds, though "after" stands before conditions too.
             links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
+            joins = 0 if self._has_more(place, joins) else joins
             finders = (self._joiner, self._linked) if joins > links else (self._linked, self._joiner)
             for find in (
                 self._manner,
@@ -159,8 +161,9 @@ class _Finder:
                 place = end
                 continue
             link, length = shipped_links().link_at(self.forms[place:])
-            is_last = all(word.upos == "PUNCT" for word in self.words[place + length :])
-            if link is not None and (is_last or self._is_subordinating(place, length)):
+            is_last = self._is_end(place + length)
+            is_number = is_last and self.forms[place + length - 1] in _TIMES  # "Only once".
+            if link is not None and not is_number and (is_last or self._is_subordinating(place, length)):
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question
@@ -259,10 +262,10 @@ class _Finder:
         if not order.is_list:
             return replace(joint, order=order), end
         # The items of a new list stay in the sentence.
-        last = order.border - 1
-        only = frozenset([self.words[last].index] if self.words[last].upos == "ADV" else [])
-        items = (self.words[last - len(only)].index, self.words[order.border].index, self.words[end - 1].index)
-        return replace(joint, positions=only, first=items[1], order=order, items=items), end
+        last = max(at for at in range(place, order.border) if self.words[at].upos in ("NOUN", "PROPN"))
+        between = frozenset(word.index for word in self.words[last + 1 : order.border])
+        items = (self.words[last].index, self.words[order.border].index, self.words[end - 1].index)
+        return replace(joint, positions=between, first=items[1], order=order, items=items), end
 
     def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return words before a deed that follows or precedes another one: "before you go", "after closing"."""
@@ -391,12 +394,18 @@ class _Finder:
         joiner, length = shipped_links().joiner_at(self.forms[place:])
         if any(self.words[place].index in time for time in self.sentence.tree.times):
             return None, 0  # "Next week" is a time.
-        if joiner is None or not self._is_front(place):
+        if joiner is None or not self._is_front(place) or self._has_more(place, length):
             # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.
             is_last = joiner is not None and joiner.kind is LinkKind.MEANWHILE and self._is_end(place + length)
             if joiner is None or not is_last:
                 return None, 0
         return self._joint(joiner, place, place + length, length, None), place + length
+
+    def _has_more(self, place: int, length: int) -> bool:
+        """Whether a joiner begins a condition: "*if you can't* find my keys", but not "if you can't, wait"."""
+        behind = self.words[place + length : place + length + 1]
+        inside = self.words[place : place + length]
+        return any(word.deprel == "aux" and word.head == verb.index for verb in behind for word in inside)
 
     def _is_front(self, place: int) -> bool:
         before = self.words[place - 1] if place else None

@@ -264,6 +264,8 @@ def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
         return word.lemma.lower()  # "Everybody who leaves": the tagger takes it for the plural of a noun.
     if word.upos not in ("VERB", "AUX"):
         return form
+    if form == "ca" and word.lemma.lower() == "can":
+        return "can"  # "You ca n't see".
     is_perfect = any(
         child.deprel == "aux" and child.lemma.lower() == "have" and child.xpos != "VBD" for child in children
     )

@@ -147,8 +147,8 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
         start += 1
     one = _phrase(words, start)
     border = start + one
-    is_only = border < len(words) and words[border].form.lower() in _ONLY
-    border += is_only
+    behind, is_only, is_not = _restriction(words, border)
+    border = behind
     if not one or border >= len(words):
         return None
     link, length = shipped_links().deed_link_at([word.form.lower() for word in words[border:]])
@@ -162,13 +162,27 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     if not first or not second or first == second:
         return None
     is_before = link.kind is LinkKind.BEFORE
-    earlier, later = (first, second) if is_before != is_denied else (second, first)
+    earlier, later = (first, second) if is_before != (is_denied or is_not) else (second, first)
     said = _content(words[:place])
     if start > place and first <= said and second <= said:
         return ItemOrder(end - place, earlier, later)
     if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
         return None
-    return ItemOrder(end - place, earlier, later, True, is_before or not is_only, border)
+    return ItemOrder(end - place, earlier, later, True, not is_not and (is_before or not is_only), border)
+
+
+def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:
+    """Return the place behind the words between an item and "before", and whether they have an "only" and a "not": "the
+    hall *only* after the office", "the hall, *but not* before the office"."""
+    end, is_only, is_not = place, False, False
+    while end < len(words) and words[end].form.lower() in _JOINING:
+        end += 1
+    begin = end
+    while end < len(words) and words[end].form.lower() in _ONLY | _NEGATIONS:
+        is_only = is_only or words[end].form.lower() in _ONLY
+        is_not = is_not or words[end].form.lower() in _NEGATIONS
+        end += 1
+    return (end, is_only, is_not) if end > begin else (place, False, False)
 
 
 def _phrase(words: Sequence[Word], start: int, *, before: FrozenSet[str] = frozenset()) -> int:

@@ -43,6 +43,8 @@ _MANNERS = (
 #: FrameNet's name of the end of what the robot does.
 _STOPPING = "Halt"
 _ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
+#: Behind them, a time says which order is meant: "forget the alarm at seven".
+_BACK = word_class("verbs_of_taking_back")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
@@ -92,7 +94,8 @@ def read_linked(
         return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
     clauses = tuple(replace(read, kept=_deeds_first(read.kept, now)) for read in clauses)
     is_open = choices_left_open(bare, [(read.clause, read.kept[0]) for read in clauses], now.known)
-    if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
+    names_an_order = any(joint.when for joint in joints.found) and any(read.clause.lemma in _BACK for read in clauses)
+    if is_open or names_an_order or not all(case.kind_of(read.clause).acts for read in clauses):
         return refused
     try:
         deeds = [(read.clause, read.kept) for read in clauses]
@@ -413,4 +416,6 @@ def _is_front(sentence: Sentence, positions: Sequence[int]) -> bool:
     if not words or positions[0] != words[0].index:
         return False
     behind = next((place for place, word in enumerate(words) if word.form == ","), len(words)) + 1
-    return behind < len(words) and words[behind].upos == "VERB" and words[behind].xpos in ("VB", "VBP")
+    # A verb alone is easily taken for a noun: "while the music plays, *dance*".
+    left = [word for word in words[behind:] if word.upos != "PUNCT"]
+    return bool(left) and (len(left) == 1 or (left[0].upos == "VERB" and left[0].xpos in ("VB", "VBP")))

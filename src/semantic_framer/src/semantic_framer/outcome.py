@@ -8,6 +8,7 @@ from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from typed_arguments import TypedArgument
+from utterance_passes.clauses import Clause, excluded_phrase
 
 #: Codes of refusals of objections to something that runs.
 PROHIBITION = "NEGATED"
@@ -136,6 +137,15 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Se
     )
 
 
+def not_to_be_done(sentence: Sentence, clause: Clause, said: str) -> Refusal:
+    """Return the refusal of a clause that is negated, or excludes something: "go there, but *not through the hall*"."""
+    left_out = sorted(excluded_phrase(sentence.tree, clause))
+    if left_out:
+        return Refusal(PROHIBITION, f'I am not doing that. You said: "{sentence.text(left_out)}".')
+    return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{said}".')
+
+
 def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
     """Return the refusal of a command for another time or under a condition."""
-    return Refusal("CONDITION", f'I can only act now, not "{sentence.text(sorted(positions))}".')
+    said = sentence.text(sorted(positions)).strip(" ,")
+    return Refusal("CONDITION", f'I do not understand "{said}" as a time or a condition, so I do nothing.')

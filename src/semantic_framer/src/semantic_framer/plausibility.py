@@ -17,6 +17,7 @@ from word_classes import word_class
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
+_VAGUE_PERIODS = word_class("vague_periods")
 _FORWARD_AND_BACKWARD = word_class("forward_and_backward")
 _HEARERS = word_class("hearers")
 _ITSELF = frozenset(["yourself"])
@@ -165,8 +166,6 @@ def is_subject_of_a_question(filled: Filled) -> bool:
         return False
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
     is_asked = any(word.form.lower() in _QUESTION_WORDS for word in asked if word.index < head.index)
-    # "See if there is any mail" does not look at the mail.
-    is_asked = is_asked or any(child.deprel == "expl" for child in filled.tree.children(head.head))
     return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
 
 
@@ -183,10 +182,10 @@ def is_way(filled: Filled) -> bool:
 
 
 def is_degree(filled: Filled) -> bool:
-    """Whether a degree is taken for a thing: "move a bit", but not "a bit of bread"."""
+    """Whether a degree or a time is taken for a thing: "move a bit", "wait a moment", but not "a bit of bread"."""
     children = filled.tree.children(filled.head.index)
     is_of_something = any(child.deprel == "nmod" for child in children)
-    return bool(filled.roles) and filled.head.form.lower() in _DEGREES and not is_of_something
+    return bool(filled.roles) and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS and not is_of_something
 
 
 def is_side(filled: Filled) -> bool:

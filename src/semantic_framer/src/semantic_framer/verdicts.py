@@ -7,7 +7,6 @@ from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import (
-    PROHIBITION,
     QUESTION,
     REPORT,
     TALK,
@@ -18,6 +17,7 @@ from semantic_framer.outcome import (
     join_with_or,
     left_over_refusal,
     not_then,
+    not_to_be_done,
 )
 from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
@@ -83,15 +83,16 @@ class Case:
         tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
             return False
-        # "When I come home turn on the light": it is a condition.
-        if self.sentence.word(min(clause.positions)).form.lower() in _CONDITIONS:
+        first = self.sentence.word(min(clause.positions))
+        # "When I come home turn on the light", "in case it rains close the window": it is a condition.
+        is_phrase = first.deprel == "mark" and any(child.deprel == "fixed" for child in tree.children(first.index))
+        if is_phrase or first.form.lower() in _CONDITIONS:
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
             return False
         if clause.verb < max(other.verb for other in self.clauses):
             return True
-        first = self.sentence.word(min(clause.positions))
         before = self.sentence.word(first.index - 1) if first.index > 1 else first
         is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
         return is_joined or first.form.lower() in _RENEWING
@@ -181,9 +182,8 @@ def _negated(case: ClauseCase) -> Optional[Refusal]:
     if not case.clause.is_negated and case.kind.kind is not UtteranceKind.PROHIBITION:
         return None
     if case.kind.kind is UtteranceKind.REPORT and any(kind.acts for kind in case.of.kinds):
-        # "Close the door so nobody comes in" tells what shall not happen, and forbids the robot nothing.
         return left_over_refusal(case.sentence, sorted(case.clause.positions))
-    return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
+    return not_to_be_done(case.sentence, case.clause, case.said)
 
 
 def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:

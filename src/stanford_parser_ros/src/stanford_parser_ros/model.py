@@ -180,6 +180,8 @@ class Parser:
             edit = TreeEdit(tree)
             for retag in retags:
                 edit.tag(retag.position, retag.upos, retag.xpos, retag.feats)
+                if retag.lemma:
+                    edit.respell(retag.position, tree.word(retag.position).form, retag.lemma)
             tree = self._inference.reparse(edit.tree())
         tree = at_origins(tree, text, spelling.origins)
         return run_tree_passes(tree, run.vocabulary, PARSER_TREE_PASSES, without=run.without, trace=run.trace)

@@ -280,7 +280,7 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     if any(f"{form} {after}" in _NO_LONGER for form, after in zip(forms, forms[1:])):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
-    if any(_has_negation(tree, word) and (word.deprel == "conj" or _is_shared(tree, word)) for word in words):
+    if any(_is_excluded(tree, word) for word in words):
         return True
     return any(
         form in _NO_THINGS
@@ -288,6 +288,26 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
         and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
         for word, form in zip(words, forms)
     )
+
+
+def _is_excluded(tree: DependencyTree, word: Word) -> bool:
+    """Whether a part of a clause is forbidden: "and not to the kitchen"; "not before noon" says when."""
+    is_part = _has_negation(tree, word) and (word.deprel == "conj" or _is_shared(tree, word))
+    return is_part and not _is_time(tree, word)
+
+
+def excluded_phrase(tree: DependencyTree, clause: Clause) -> FrozenSet[int]:
+    """Return the words of a clause that only exclude something: "go to the office, but *not through the hall*"."""
+    if _has_negation(tree, tree.word(_top(tree, clause.verb))):
+        return frozenset()
+    parts = (index for index in clause.positions if index != clause.verb and _is_excluded(tree, tree.word(index)))
+    found = frozenset().union(*(tree.subtree(index) for index in parts)) & clause.positions
+    return frozenset(index for index in found if tree.word(index).upos not in ("PUNCT", "CCONJ"))
+
+
+def _is_time(tree: DependencyTree, word: Word) -> bool:
+    """Whether a preposition of time stands before a word: "before noon"."""
+    return any(child.deprel == "case" and child.form.lower() in _CONDITIONS for child in tree.children(word.index))
 
 
 def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> FrozenSet[int]:

@@ -368,6 +368,9 @@ class _Quotation:
         relation = child.deprel.split(":")[0]
         if child.deprel == "iobj" or relation in ("punct", "cc", "advcl"):
             return True
+        if relation == "conj" and child.upos == "ADV" and inside:
+            # "Say hello, *but quietly*".
+            return any(other.form.lower() == "but" for other in self._tree.children(child.index))
         if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
             return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)

@@ -183,6 +183,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.adverbs,
     ),
     TagPass(
+        "verbs_of_conditions",
+        "Tag a verb between the subject and the object of a condition that the tagger took for a noun.",
+        Example("when|ADV Bob|PROPN leaves|NOUN the|DET office|NOUN", ("3 VERB VBZ",), Verbs()),
+        Stage.PARSER,
+        tagging.verbs_of_conditions,
+    ),
+    TagPass(
         "resulting_states",
         "Tag a state behind a noun at the end as an adjective, not as a noun.",
         Example("push|VERB the|DET drawer|NOUN shut|NOUN", ("4 ADJ JJ",), Verbs(frozenset(["push"]))),

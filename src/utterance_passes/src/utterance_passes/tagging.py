@@ -10,6 +10,7 @@ from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_CONDITIONS = word_class("conditions")
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
 _PERSONS = word_class("personal_subjects")
@@ -100,6 +101,20 @@ def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         if not form.lower().endswith(_COMPARING)
         for parts in [parts_of_speech(form)]
         if ADVERB in parts and not parts & {NOUN, VERB}
+    )
+
+
+def verbs_of_conditions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a verb between the subject of a condition and an object that the tagger took for a noun: "when Bob *leaves*
+    the office"."""
+    return tuple(
+        Retag(position, "VERB", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin", lemma)
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and form.endswith("s") and 2 < position < len(forms)
+        if tags[position - 2] in ("PROPN", "PRON") and tags[position] == "DET"
+        if forms[position - 3].lower() in _CONDITIONS
+        for lemma in [next((base for base in (form[:-1], form[:-2]) if VERB in parts_of_speech(base)), "")]
+        if lemma
     )
 
 

@@ -110,12 +110,14 @@ class Retag:
         upos: universal part of speech
         xpos: Penn tag
         feats: features, as in CoNLL-U; empty if there are none
+        lemma: dictionary form; empty if it stays
     """
 
     position: int
     upos: str
     xpos: str
     feats: str = ""
+    lemma: str = ""
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
     "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends typos "
     "surroundings run_ons "
-    "command_verb numbered_noun adverbs resulting_states "
+    "command_verb numbered_noun adverbs verbs_of_conditions resulting_states "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
     "modals_as_nouns asked_clauses hands_at_verbs upside_down places_in_a_row purposes_of_things exceptions "
