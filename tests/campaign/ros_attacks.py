@@ -28,6 +28,7 @@ class OnRobot(Demand):
         with ExitStack() as opening:
             self.robot: Robot = opening.enter_context(running_robot(*self.arguments))
             self.robot.wait_until_ready()
+            self.robot.wait_until_settled()
             return opening.pop_all()
 
     def be_ready(self) -> None:

@@ -30,6 +30,8 @@ NODES = (*STAGES, "stop_server", "move_action_server", "ping", "turtlebot_sim")
 MOTION = 0.01
 START_TIMEOUT_S = 180.0
 _END_TIMEOUT_S = 45.0
+#: Memory that has not changed for so many seconds stands still.
+_STILL_S = 5
 
 
 class Robot:
@@ -102,6 +104,22 @@ class Robot:
         wait_until(lambda: self._text.get_num_connections() >= 2, START_TIMEOUT_S, "nobody listens to text")
         wait_until(lambda: self.outcome_of("Ping.", 3.0) == "DONE", START_TIMEOUT_S, "Ping. is not done")
         return time.monotonic() - begin_s
+
+    def wait_until_settled(self) -> None:
+        """Wait until the memory of the parser stands still: it obeys before Stanza is loaded.
+
+        Raises:
+            AssertionError: it grows on
+        """
+        sizes: List[float] = []
+
+        def is_still() -> bool:
+            sizes.append(self.memory_mb(["stanford_parser_ros"]).get("stanford_parser_ros", 0.0))
+            time.sleep(1.0)
+            last = sizes[-_STILL_S:]
+            return len(last) == _STILL_S and max(last) < 1.01 * min(last)
+
+        wait_until(is_still, START_TIMEOUT_S, "the parser grows on")
 
     def say(self, text: str) -> float:
         """Publish a text; returns when."""

@@ -166,8 +166,6 @@ def is_subject_of_a_question(filled: Filled) -> bool:
         return False
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
     is_asked = any(word.form.lower() in _QUESTION_WORDS for word in asked if word.index < head.index)
-    # "See if there is any mail" does not look at the mail.
-    is_asked = is_asked or any(child.deprel == "expl" for child in filled.tree.children(head.head))
     return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
 
 

@@ -68,9 +68,6 @@ def test_all_but_one_has_an_exception(understand: Any) -> None:
     assert theme is not None and [one.text for one in theme.exceptions] == ["beer"] and not theme.members
 
 
-@pytest.mark.parametrize(
-    ("text", "code"), [("You forgot the sugar.", "REPORT"), ("See if there's any mail.", "NO_READING")]
-)
-def test_what_is_told_or_only_asked_is_not_done(understand: Any, text: str, code: str) -> None:
-    outcome, _ = understand(text)
-    assert isinstance(outcome, Refusal) and outcome.code == code
+def test_what_is_told_is_not_done(understand: Any) -> None:
+    outcome, _ = understand("You forgot the sugar.")
+    assert isinstance(outcome, Refusal) and outcome.code == "REPORT"
