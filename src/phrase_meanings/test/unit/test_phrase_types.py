@@ -48,7 +48,7 @@ DOCTOR = phrase("take take VERB VB 0 root", "the the DET DT 3 det", "doctor doct
         (phrase("the the DET DT 2 det", "bit bit NOUN NN 0 obj"), 2, ("Physical_object",), "Physical_object"),
         (COFFEE_CUP, 3, (), "Container"),
         (LIVING_ROOM, 3, (), "Room"),
-        (LIGHT_SWITCH, 3, (), "Device"),
+        (LIGHT_SWITCH, 3, (), "Control"),
         (COLD_WATER, 2, (), "Fluid"),
         (CUP_OF_COFFEE, 2, (), "Food"),
         (CUP_OF_COFFEE, 2, ("Container",), "Container"),

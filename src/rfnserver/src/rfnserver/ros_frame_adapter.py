@@ -223,8 +223,7 @@ def conclude(server: QuietSimpleActionServer, end: ForwardedEnd) -> None:
     if not server.is_active():
         return
     if end.status == GoalStatus.SUCCEEDED:
-        # Its text ("Goal reached.") is for clients of its own; the text of a frame is an answer to the person.
-        server.set_succeeded(FilledSemanticFrameResult(success=True))
+        server.set_succeeded(FilledSemanticFrameResult(success=True), end.text)
     elif end.status == GoalStatus.PREEMPTED:
         server.set_preempted(FilledSemanticFrameResult(success=False), end.text or "preempted")
     else:
