@@ -299,12 +299,12 @@ class MoveActionServer:
             server = self._servers[frame_name]
             ending = self._run(server, goal_of, {argument.name: argument for argument in frame.arguments})
             rospy.loginfo("%s %s: %s", frame_name, ending.outcome.value, ending.text)
-            end = {
-                Outcome.SUCCEEDED: server.set_succeeded,
-                Outcome.ABORTED: server.set_aborted,
-                Outcome.PREEMPTED: server.set_preempted,
-            }[ending.outcome]
-            end(FilledSemanticFrameResult(success=ending.outcome is Outcome.SUCCEEDED), ending.text)
+            if ending.outcome is Outcome.SUCCEEDED:
+                # The text of a success would be an answer to the person, who did not ask how far the robot came.
+                server.set_succeeded(FilledSemanticFrameResult(success=True))
+                return
+            end = server.set_preempted if ending.outcome is Outcome.PREEMPTED else server.set_aborted
+            end(FilledSemanticFrameResult(success=False), ending.text)
 
         return execute
 
