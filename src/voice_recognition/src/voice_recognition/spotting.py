@@ -18,8 +18,8 @@ from voice_recognition.spoken_language import Words
 from voice_recognition.voice_words import voice_words
 from word_classes import word_class
 
-#: Seconds of the longest utterance that can be nothing but a stop: "stop stop", slowly.
-LONGEST_S = 1.6
+#: Seconds of the longest utterance that can be nothing but a stop: "Stop! Stop! Stop! Stop!", slowly.
+LONGEST_S = 4.0
 #: Share of the words of talk in the search, in noise and in a quiet room, where a stop is heard clearly or was none.
 OTHER_SHARE, CLEAR_OTHER_SHARE = 0.02, 0.8
 #: Speech that is so many decibels above the noise is clear.
@@ -28,6 +28,8 @@ CLEAR_DB = 30.0
 SLOWEST_S, SLOWEST_WORD_S = 0.6, 0.4
 #: Words of a stop at most, with one that is misheard.
 MOST_WORDS = 3
+#: A cry is a word that stops, so often or more, with pauses; seconds that each word of it takes at most.
+LEAST_CRIES, SLOWEST_CRY_S = 3, 0.9
 #: Seconds around an utterance in noise that are left away when it is heard again.
 BEFORE_S, BEHIND_S = 0.25, 0.1
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
@@ -66,6 +68,11 @@ class StopSpotter:
     def is_stop(self, pcm: bytes) -> bool:
         """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
         clearness_db, spoken_s = clearness_and_length(pcm)
+        if spoken_s > LONGEST_S:
+            return False
+        if spoken_s > SLOWEST_S + SLOWEST_WORD_S * MOST_WORDS:
+            # In the search for noise, stops are so likely that some seconds of talk may be nothing else.
+            return is_cry(self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words, spoken_s)
         if clearness_db >= CLEAR_DB:
             words = self._words(_CLEAR_SEARCH, pcm, spoken_s)
             return is_stop(" ".join(words))
@@ -115,6 +122,17 @@ def clearness_and_length(pcm: bytes) -> Tuple[float, float]:
     (loud,) = np.nonzero(levels > max(noise_db + settings.begin_db, settings.quietest_db))
     length_s = (loud[-1] - loud[0] + 1) * FRAME_S if len(loud) else 0.0
     return float(voice_db - noise_db), float(length_s)
+
+
+def is_cry(words: Words, spoken_s: float) -> bool:
+    """Whether words are nothing but a stop, again and again: "Stop! Stop! Stop!".
+
+    Args:
+        words: what was heard
+        spoken_s: how long it took, seconds
+    """
+    is_quick = spoken_s <= SLOWEST_CRY_S * len(words)
+    return len(words) >= LEAST_CRIES and is_quick and all(map(is_stop, words))
 
 
 def is_heard_stop(words: Words) -> bool:

@@ -4,13 +4,21 @@ import importlib.util
 import shutil
 import sys
 from pathlib import Path
-from typing import Tuple
+from typing import Optional, Tuple
 
 import pytest
 
 from voice_recognition.endpointing import Endpointer
 from voice_recognition.recogniser import model_dictionary
-from voice_recognition.spotting import CLEAR_DB, StopSpotter, clearness_and_length, is_heard_stop, says_stop
+from voice_recognition.spotting import (
+    CLEAR_DB,
+    LONGEST_S,
+    StopSpotter,
+    clearness_and_length,
+    is_cry,
+    is_heard_stop,
+    says_stop,
+)
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -49,7 +57,34 @@ def test_speech_is_clear_in_a_quiet_room_and_its_length_is_that_of_the_words(tex
 def test_what_lasts_longer_than_its_words_is_no_stop(spotter: StopSpotter) -> None:
     said = speech("stop")
     assert spotter.is_stop(with_silence(said, before_s=0.5, after_s=0.4))
-    assert not spotter.is_stop(silence(0.5) + said + silence(0.6) + said + silence(0.6) + said + silence(0.4))
+    assert not spotter.is_stop(silence(0.5) + said + silence(0.9) + said + silence(0.9) + said + silence(0.4))
+
+
+@pytest.mark.parametrize("voice", VOICES[:3])
+@pytest.mark.parametrize("snr_db", [None, 10.0])
+def test_a_cry_is_a_stop_though_it_is_long(
+    spotter: StopSpotter, voice: Tuple[str, str], snr_db: Optional[float]
+) -> None:
+    pcm = with_silence(speech("Stop! Stop! Stop! Stop!", voice), before_s=0.8)
+    found = []
+    endpointer = Endpointer()
+    for one in endpointer.feed(pcm if snr_db is None else with_noise(pcm, snr_db, seed=1)) + endpointer.finish():
+        found.append(one.end_s - one.begin_s <= LONGEST_S and spotter.is_stop(one.pcm))
+    assert any(found)
+
+
+@pytest.mark.parametrize(
+    "words, spoken_s, is_one",
+    [
+        ("stop stop stop", 2.4, True),
+        ("halt stop stop", 2.4, True),
+        ("stop stop stop", 3.0, False),  # too long for its words
+        ("stop stop", 1.7, False),
+        ("stop the stop", 2.0, False),
+    ],
+)
+def test_a_cry_is_nothing_but_a_word_that_stops(words: str, spoken_s: float, is_one: bool) -> None:
+    assert is_cry(tuple(words.split()), spoken_s) is is_one
 
 
 @pytest.mark.parametrize(
