@@ -46,6 +46,7 @@ class Robot:
     """What is said to a robot, and when its server got the goal."""
 
     def __init__(self, name: str) -> None:
+        self.name = name
         self.latencies_s: List[float] = []
         self.replies: List[Reply] = []
         self.said = 0
@@ -141,13 +142,15 @@ class FleetLoadTest(unittest.TestCase):
 
     def test_many_robots(self) -> None:
         per_s, seconds = rospy.get_param("~per_s"), rospy.get_param("~seconds")
-        before = {node: memory_mb(node) for node in SERVICE}
+        before = sum(map(memory_mb, SERVICE))
         alone = self.run_load(self.robots[:1], per_s=per_s / len(self.robots), seconds=rospy.get_param("~alone_s"))
         together = self.run_load(self.robots, per_s=per_s, seconds=seconds)
-        after = {node: memory_mb(node) for node in SERVICE}
+        after = sum(map(memory_mb, SERVICE))
         for name, figures in (("one robot", alone), (f"{len(self.robots)} robots", together)):
             print(f"{name}: " + ", ".join(f"{key} {value:.4g}" for key, value in figures.items()))
-        print(f"memory of the service, MB: {sum(before.values()):.0f} before, {sum(after.values()):.0f} after")
+        print(f"memory of the service, MB: {before:.0f} before, {after:.0f} after")
+        robot = sum(memory_mb(f"/{self.robots[0].name}/{node}") for node in ("robot", "stop_server"))
+        print(f"memory of one robot and its stop_server, MB: {robot:.0f}")
         print(f"load of the machine: {os.getloadavg()[0]:.1f}")
         print(f"text to goal, p99: {together['p99_s'] / alone['p99_s']:.2f} times that of one robot")
         for figures in (alone, together):
