@@ -59,9 +59,12 @@ class Robot:
         ]
 
     def is_connected(self) -> bool:
-        """Whether command_server and stop_server hear what is said, and goals and replies are heard."""
-        is_heard = self._text.get_num_connections() >= 2
-        return is_heard and all(subscriber.get_num_connections() for subscriber in self._subscribers)
+        """Whether command_server and stop_server hear what is said, and replies are heard."""
+        return self._text.get_num_connections() >= 2 and self._subscribers[1].get_num_connections() > 0
+
+    def hears_goals(self) -> bool:
+        """Whether goals are heard: nobody sends them before the first command."""
+        return self._subscribers[0].get_num_connections() > 0
 
     def is_free(self) -> bool:
         """Whether all that was said is answered."""
@@ -97,6 +100,9 @@ class FleetLoadTest(unittest.TestCase):
         wait_until(lambda: len(cls.fleet.members) == len(names) and cls.fleet.is_service_up, _READY_S)
         wait_until(lambda: set(names) <= cls.turning(), _READY_S)
         wait_until(lambda: all(robot.is_connected() for robot in cls.robots), _READY_S)
+        for robot in cls.robots:
+            robot.say()
+            wait_until(lambda robot=robot: robot.is_free() and robot.hears_goals(), _READY_S)
 
     @classmethod
     def hear_fleet(cls, message: Fleet) -> None:
