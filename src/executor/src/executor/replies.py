@@ -128,7 +128,7 @@ class _Story:
     def answers(self) -> List[str]:
         """Return what the servers told, each sentence once: "There are four."."""
         told = (goal.answer for goal in self.goals if goal.outcome is Outcome.SUCCEEDED)
-        return [as_sentence(answer) for answer in dict.fromkeys(told) if answer]
+        return [as_sentence(answer[0].upper() + answer[1:]) for answer in dict.fromkeys(told) if answer]
 
     def _children(self, number: int) -> List[NodeRecord]:
         """What became of the children of a node that are no conditions."""

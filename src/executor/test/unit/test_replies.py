@@ -86,6 +86,7 @@ def test_end_of_a_run(outcome, goals, cause, error, expected, code, part):
         (["There are four chairs"], "Done. There are four chairs."),
         (["It is noon.", "", "It is noon."], "Done. It is noon."),
         (["I see two cups.", "I see no fork."], "Done. I see two cups. I see no fork."),
+        (["the goal is reached"], "Done. The goal is reached."),
     ],
 )
 def test_the_reply_has_what_the_servers_told(texts, sentence):
