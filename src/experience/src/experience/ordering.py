@@ -58,13 +58,12 @@ class Judge:
         divided by cost: two neighbours in the other order would cost more when they are exchanged.
         """
         rate, took_s = 1.0, 0.0
-        weakest, weakest_server, lowest = Expectation(), "", 2.0
-        for frame in frames:
-            expected, believed, frame_s = self._expect(frame)
+        found = [self._expect(frame) for frame in frames]
+        for _, believed, frame_s in found:
             took_s += rate * frame_s
             rate *= believed
-            if believed < lowest:
-                weakest, weakest_server, lowest = expected, frame.server, believed
+        at = min(range(len(frames)), key=lambda one: found[one][1])
+        weakest, weakest_server = found[at][0], frames[at].server
         worth = rate / (took_s + FAILURE_S * (1.0 - rate) + 1e-9)
         servers = tuple(frame.server for frame in frames)
         return Judged(position, servers, worth, rate, took_s, weakest, weakest_server)
