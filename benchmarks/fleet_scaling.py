@@ -12,7 +12,16 @@ import io
 import time
 from typing import Sequence, Tuple
 
-from roboframenet_msgs.msg import Fleet, FleetMember, FleetRobot, FleetService, FrameCallback, FrameServers, HeededElement, ServerProfile
+from roboframenet_msgs.msg import (
+    Fleet,
+    FleetMember,
+    FleetRobot,
+    FleetService,
+    FrameCallback,
+    FrameServers,
+    HeededElement,
+    ServerProfile,
+)
 
 SIZES = (1, 10, 100, 1000, 10_000)
 #: Signs of life a second: of a robot, and of the service, which goes to each robot. The list goes out on changes only.

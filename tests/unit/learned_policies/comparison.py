@@ -18,6 +18,8 @@ from .simulation import COMMANDS, DRIFTS, Home, Request
 
 #: Commands after a drift that are counted apart.
 RECOVERY = 30
+#: Commands after a drift in which failures are counted together; the first three are the window of recovery.
+AFTER_DRIFT = ((0, 10), (10, 20), (20, RECOVERY), (RECOVERY, 60), (60, 150), (150, 300))
 #: The first command that counts for the comparison; before, everybody learns.
 LEARNED_FROM = 300
 #: Frames of the simulation of which another server may be tried than the likeliest.
@@ -182,6 +184,41 @@ def interval(values: Sequence[float]) -> Tuple[float, float]:
     chance = random.Random(0)
     means = sorted(statistics.fmean(chance.choices(values, k=len(values))) for _ in range(2000))
     return statistics.fmean(values), (means[1949] - means[50]) / 2.0
+
+
+def above_oracle(results: Dict[str, List[Result]], name: str) -> Tuple[float, Tuple[float, float]]:
+    """Return the steady failures of a policy above the oracle's, as a share, with the 95 % interval of other seeds.
+
+    The means of the seeds are compared, so a seed counts by its failures.
+    """
+    pairs = [(one.steady, other.steady) for one, other in zip(results[name], results["oracle"])]
+    chance = random.Random(0)
+    resampled = sorted(_ratio(chance.choices(pairs, k=len(pairs))) for _ in range(2000))
+    return _ratio(pairs) - 1.0, (resampled[50] - 1.0, resampled[1949] - 1.0)
+
+
+def _ratio(pairs: Sequence[Tuple[int, int]]) -> float:
+    return sum(one for one, _ in pairs) / sum(other for _, other in pairs)
+
+
+def recovery(results: Dict[str, List[Result]], name: str) -> str:
+    """Return how many more failures than the oracle a policy has before and after a drift, as Markdown."""
+    before = [
+        (f"the {RECOVERY} before", [(drift - RECOVERY, drift) for drift in DRIFTS]),
+        *((f"{first + 1} to {end}", [(drift + first, drift + end) for drift in DRIFTS]) for first, end in AFTER_DRIFT),
+    ]
+    lines = ["| commands after a drift | failures above the oracle's, for 100 commands |", "| --- | --- |"]
+    for title, intervals in before:
+        extra = [
+            100.0 * sum(one.between(*each) - other.between(*each) for each in intervals) / _length(intervals)
+            for one, other in zip(results[name], results["oracle"])
+        ]
+        lines.append("| {} | {:+.1f} ± {:.1f} |".format(title, *interval(extra)))
+    return "\n".join(lines)
+
+
+def _length(intervals: Sequence[Tuple[int, int]]) -> int:
+    return sum(end - first for first, end in intervals)
 
 
 def table(results: Dict[str, List[Result]]) -> str:

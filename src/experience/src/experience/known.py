@@ -7,7 +7,6 @@ the kitchen" or "it fails". A success elsewhere later decides between them, and 
 
 import enum
 import itertools
-import math
 from dataclasses import dataclass, field
 from functools import lru_cache
 from operator import mul
@@ -90,18 +89,25 @@ class Expectation:
     """What is expected of a subject in some circumstances.
 
     Attributes:
-        rate: how often it succeeds
-        spread: how uncertain the rate is: its standard deviation
+        rates: how often it may succeed there, each with its probability
         took_s: how long it takes; None when it was never tried
         aspect: in which it is weak; `NOTHING` when it is weak in none
         cell: its trials in this aspect; None when it was never tried
     """
 
-    rate: float
-    spread: float
+    rates: Sequence[Tuple[float, float]]
     took_s: Optional[float] = None
     aspect: Aspect = Aspect.NOTHING
     cell: Optional[Cell] = None
+
+    @property
+    def rate(self) -> float:
+        """How often it succeeds."""
+        return sum([rate * share for rate, share in self.rates])
+
+    def gain(self, other: float) -> float:
+        """Return how much more often it may succeed than something with another rate; chances that it does not are 0."""
+        return sum([(rate - other) * share for rate, share in self.rates if rate > other])
 
 
 def value_of(aspect: Aspect, circumstances: Circumstances) -> Optional[str]:
@@ -148,20 +154,19 @@ class Experience:
         keys = _keys(circumstances)
         record = self.records.get(subject)
         if record is None:
-            rate, square = _moments([_new(key).belief for key in keys])
-            return Expectation(rate, _spread(rate, square))
+            return Expectation(_expected([_new(key).belief for key in keys]))
         cells = [record.cells.get(key) or _new(key) for key in keys]
-        rate, square = _moments([cell.belief for cell in cells])
-        # Means of mixtures are mixtures of means, so no belief is made here: the arbitrator asks for each command.
+        expected = _expected([cell.belief for cell in cells])
         kept = _kept(self.ticks.get(subject.frame, 0) - record.tick)
         if kept < 1.0:
-            of_changed = _moments([CHANGED, *(_new(key).belief for key in keys[1:])])
-            rate, square = kept * rate + (1.0 - kept) * of_changed[0], kept * square + (1.0 - kept) * of_changed[1]
+            of_changed = _expected([CHANGED, *(_new(key).belief for key in keys[1:])])
+            expected = [(rate, kept * share) for rate, share in expected]
+            expected += [(rate, (1.0 - kept) * share) for rate, share in of_changed]
         rates = cells[0].belief
         weak = [sum(map(mul, rates, cell.belief)) if cell.recent else 0.0 for cell in cells[1:]]
         most = max(weak, default=0.0)
         at = 1 + weak.index(most) if most > _LIKELY else 0
-        return Expectation(rate, _spread(rate, square), record.took_s, Aspect(keys[at][0]), cells[at])
+        return Expectation(expected, record.took_s, Aspect(keys[at][0]), cells[at])
 
 
 def _keys(circumstances: Circumstances) -> List[Key]:
@@ -223,21 +228,20 @@ def _combinations(count: int) -> Tuple[Tuple[bool, ...], ...]:
     return tuple(itertools.product((False, True), repeat=count))
 
 
-def _moments(beliefs: Sequence[Belief]) -> Tuple[float, float]:
-    """Return the expected rate, and the expected square of it, under some beliefs of rates and weaknesses."""
-    mean = square = 0.0
+def _expected(beliefs: Sequence[Belief]) -> List[Tuple[float, float]]:
+    """Return the rates under some beliefs, each with its probability: without any weakness, and the mean of the others."""
     rates, *weak = beliefs
+    found: List[Tuple[float, float]] = []
     for position, rate in enumerate(RATES):
-        first, second = rates[position] * rate, rates[position] * rate * rate
+        strong = left = 1.0
         for belief in weak:
-            first *= 1.0 - (1.0 - _LEFT) * belief[position]
-            second *= 1.0 - (1.0 - _LEFT * _LEFT) * belief[position]
-        mean, square = mean + first, square + second
-    return mean, square
-
-
-def _spread(rate: float, square: float) -> float:
-    return math.sqrt(max(0.0, square - rate * rate))
+            strong *= 1.0 - belief[position]
+            left *= 1.0 - (1.0 - _LEFT) * belief[position]
+        share, others = rates[position], 1.0 - strong
+        found.append((rate, share * strong))
+        if others > 0.0:
+            found.append((rate * (left - strong) / others, share * others))
+    return found
 
 
 def learned_from(trials: Iterable[Trial]) -> Experience:
