@@ -1,10 +1,13 @@
-"""A cable that delays and loses frames, for kernels without network emulation: ``bad_cable.py FROM TO DELAY_MS LOSS_PERCENT``.
+"""A cable that delays and loses frames, for kernels without network emulation.
 
-It passes Ethernet frames between two interfaces. Those from the first to the second are delayed and lost; the others are
-passed on at once. It ends with its process.
+    bad_cable.py FROM TO DELAY_MS LOSS_PERCENT
+
+It passes Ethernet frames between two interfaces. Those from the first to the second are delayed, and some are lost; the
+others are passed on at once. It runs until it is killed.
 """
 
 import array
+import contextlib
 import fcntl
 import heapq
 import itertools
@@ -63,11 +66,9 @@ def pass_on(source: str, sink: str, *, delay_s: float, loss: float) -> None:
 
 
 def _send(interface: socket.socket, frame: bytes) -> None:
-    try:
+    # Where the interface is down, or its queue full, a cable would lose it as well.
+    with contextlib.suppress(OSError):
         interface.send(frame)
-    except OSError:
-        # The interface is down, or its queue is full: a cable would lose it as well.
-        pass
 
 
 if __name__ == "__main__":

@@ -78,6 +78,9 @@ class FleetTest(unittest.TestCase):
             bell.publish(Header(stamp=rospy.Time.now()))
             wait_until(lambda before=before, robots=robots: self.robots.who_moved(before) == robots)
             wait_until(lambda: self.robots.stand(ROBOTS))
+        reply = self.robots.ask("Alpha, when the bell rings, tell Beta to turn left 20 degrees.")
+        self.assertEqual(reply.code, "DONE", reply.sentence)
+        self.assertIn("turn left 20 degrees when the bell rings", waits_for("Beta, what are you waiting for?"))
         self.robots.ask("Everybody, forget noon.")
         self.robots.ask("Beta, forget the bell.")
         answer = waits_for("Everybody, what are you waiting for?")
@@ -91,10 +94,13 @@ class FleetTest(unittest.TestCase):
         self.assert_moves("Both of you, turn left 20 degrees.", "alpha", "beta")
 
     def test_6_without_the_service_each_robot_follows_its_policy(self) -> None:
-        """Alpha is to stop, beta to finish: see fleet.test."""
+        """Alpha is to stop and go home, beta to finish: see fleet.test."""
         self.robots.say("Everybody, turn left 3600 degrees.")
         wait_until(lambda: all(self.robots.seen[robot].speed > 0.1 for robot in ("alpha", "beta")))
         kill("fleet")
+        self.assertTrue(self.robots.stand(("alpha",), 30.0))
+        stood = self.robots.turned()
+        wait_until(lambda: "alpha" in self.robots.who_moved(stood))
         self.assertTrue(self.robots.stand(("alpha",), 30.0))
         self.assertGreater(self.robots.seen["beta"].speed, 0.1)
         self.robots.say("Stop.")

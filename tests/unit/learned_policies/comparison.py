@@ -5,7 +5,7 @@ import statistics
 import time
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from arbitrator.plan import Candidate
 from arbitrator.policy import LearnedPolicy, Policy, load_policy, order
@@ -116,11 +116,15 @@ class Result:
         failures: of each command: goals that failed
         seconds: of each command
         ordering_s: processor time of each ordering
+        first: what was tried first: frames with their servers
+        broken: by drift: the frames with the servers that broke
     """
 
     failures: List[int] = field(default_factory=list)
     seconds: List[float] = field(default_factory=list)
     ordering_s: List[float] = field(default_factory=list)
+    first: List[Tuple[Tuple[str, str], ...]] = field(default_factory=list)
+    broken: Dict[int, FrozenSet[Tuple[str, str]]] = field(default_factory=dict)
 
     @property
     def steady(self) -> int:
@@ -138,12 +142,13 @@ class Result:
 
 def run(home: Home, chooser: Chooser, *, commands: int = COMMANDS) -> Result:
     """Carry out the commands of a home by a policy: a candidate that fails is followed by the next."""
-    result = Result()
+    result = Result(broken={drift: home.broken(drift) for drift in DRIFTS})
     for request in home.requests[:commands]:
         candidates = home.candidates(request)
         began_s = time.thread_time()
         ordered = chooser.choose(request, candidates)
         result.ordering_s.append(time.thread_time() - began_s)
+        result.first.append(tuple((frame.name, frame.server) for frame in ordered[0].frames))
         failures, seconds = 0, 0.0
         tries: Dict[Tuple[str, str], int] = Counter()
         for candidate in ordered:
@@ -215,6 +220,29 @@ def recovery(results: Dict[str, List[Result]], name: str) -> str:
         ]
         lines.append("| {} | {:+.1f} ± {:.1f} |".format(title, *interval(extra)))
     return "\n".join(lines)
+
+
+def still_asked(results: Dict[str, List[Result]], name: str, first: int, end: int) -> Tuple[float, float]:
+    """Return how often a server that has broken is still asked first, some commands after the drift.
+
+    Args:
+        results: of each policy
+        name: of the policy
+        first: commands after the drift, the first that counts
+        end: the first that does not
+    Returns:
+        the share of the commands of frames whose best server has broken, and half of its 95 % interval
+    """
+    shares = []
+    for one in results[name]:
+        asked = [
+            any(pair in broken for pair in one.first[number])
+            for drift, broken in one.broken.items()
+            for number in range(drift + first, drift + end)
+            if {pair[0] for pair in one.first[number]} & {frame for frame, _ in broken}
+        ]
+        shares.append(sum(asked) / len(asked))
+    return interval(shares)
 
 
 def _length(intervals: Sequence[Tuple[int, int]]) -> int:

@@ -2,13 +2,13 @@
 
 A server succeeds at some rate, and may be weak where the robot is, with what the frame is about, with both together, or
 with a single thing. What is believed of a weakness is kept for each rate, because both explain a failure: "it fails in
-the kitchen" or "it fails". A success elsewhere later decides between them, and takes back what the other was blamed for.
+the kitchen" or "it fails". A success elsewhere later decides between them, and takes back the blame of the other.
 """
 
 import enum
 import itertools
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from operator import mul
 from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
@@ -56,13 +56,18 @@ class Cell:
     """The trials in one value of an aspect.
 
     Attributes:
-        belief: of the aspect `NOTHING`: how likely each rate is; of others: how likely the server is weak there, if that
-            is its rate
+        belief: of the aspect `NOTHING`: how likely each rate is; of others: how likely the server is weak there, if
+            that is its rate
         recent: whether each of the last ones succeeded, oldest first
     """
 
     belief: Belief = OPEN
     recent: Tuple[bool, ...] = ()
+
+    @cached_property
+    def left(self) -> Tuple[float, ...]:
+        """Of an aspect other than `NOTHING`: the share of its successes that is left, for each rate."""
+        return tuple([1.0 - (1.0 - _LEFT) * weak for weak in self.belief])
 
 
 #: A cell of an aspect, and the value of the aspect.
@@ -89,25 +94,25 @@ class Expectation:
     """What is expected of a subject in some circumstances.
 
     Attributes:
-        rates: how often it may succeed there, each with its probability
+        rate: how often it succeeds
+        cells: what it follows from, `NOTHING` first
+        kept: how likely this still holds: it may have changed
         took_s: how long it takes; None when it was never tried
         aspect: in which it is weak; `NOTHING` when it is weak in none
         cell: its trials in this aspect; None when it was never tried
     """
 
-    rates: Sequence[Tuple[float, float]]
+    rate: float
+    cells: Tuple[Cell, ...]
+    kept: float = 1.0
     took_s: Optional[float] = None
     aspect: Aspect = Aspect.NOTHING
     cell: Optional[Cell] = None
 
-    @property
-    def rate(self) -> float:
-        """How often it succeeds."""
-        return sum([rate * share for rate, share in self.rates])
-
     def gain(self, other: float) -> float:
-        """Return how much more often it may succeed than something with another rate; chances that it does not are 0."""
-        return sum([(rate - other) * share for rate, share in self.rates if rate > other])
+        """Return how much more often than another rate it may succeed; where it does not, that counts as nothing."""
+        of_changed = Cell(CHANGED), *self.cells[1:]
+        return self.kept * _gain(self.cells, other) + (1.0 - self.kept) * _gain(of_changed, other)
 
 
 def value_of(aspect: Aspect, circumstances: Circumstances) -> Optional[str]:
@@ -138,7 +143,7 @@ class Experience:
         known = self.records.pop(subject, None)
         keys = _keys(trial.circumstances)
         cells = _later(known.cells, tick - known.tick) if known is not None else {}
-        before = [cells.pop(key, None) or _new(key) for key in keys]
+        before = [cells.pop(key, _new(key)) for key in keys]
         beliefs = _after([cell.belief for cell in before], succeeded=trial.is_success)
         for key, cell, belief in zip(keys, before, beliefs):
             cells[key] = Cell(belief, (*cell.recent, trial.is_success)[-RECENT:])
@@ -154,19 +159,16 @@ class Experience:
         keys = _keys(circumstances)
         record = self.records.get(subject)
         if record is None:
-            return Expectation(_expected([_new(key).belief for key in keys]))
+            return Expectation(_rate_of_new(OPEN, keys), tuple([_new(key) for key in keys]))
         cells = [record.cells.get(key) or _new(key) for key in keys]
-        expected = _expected([cell.belief for cell in cells])
-        kept = _kept(self.ticks.get(subject.frame, 0) - record.tick)
+        rate, kept = _rate(cells), _kept(self.ticks.get(subject.frame, 0) - record.tick)
         if kept < 1.0:
-            of_changed = _expected([CHANGED, *(_new(key).belief for key in keys[1:])])
-            expected = [(rate, kept * share) for rate, share in expected]
-            expected += [(rate, (1.0 - kept) * share) for rate, share in of_changed]
+            rate = kept * rate + (1.0 - kept) * _rate_of_new(CHANGED, keys)
         rates = cells[0].belief
         weak = [sum(map(mul, rates, cell.belief)) if cell.recent else 0.0 for cell in cells[1:]]
         most = max(weak, default=0.0)
         at = 1 + weak.index(most) if most > _LIKELY else 0
-        return Expectation(expected, record.took_s, Aspect(keys[at][0]), cells[at])
+        return Expectation(rate, tuple(cells), kept, record.took_s, Aspect(keys[at][0]), cells[at])
 
 
 def _keys(circumstances: Circumstances) -> List[Key]:
@@ -188,7 +190,7 @@ def _kept(steps: int) -> float:
 
 
 def _later(cells: Mapping[Key, Cell], steps: int) -> Dict[Key, Cell]:
-    """Return what is known after some trials of the frame by other servers: one that has changed has no old weakness."""
+    """Return what is known some trials of the frame later: a server that has changed has no old weakness."""
     rates = cells[Aspect.NOTHING, ""].belief
     now = aged(rates, steps, hazard=HAZARD)
     kept = _kept(steps)
@@ -228,19 +230,35 @@ def _combinations(count: int) -> Tuple[Tuple[bool, ...], ...]:
     return tuple(itertools.product((False, True), repeat=count))
 
 
-def _expected(beliefs: Sequence[Belief]) -> List[Tuple[float, float]]:
-    """Return the rates under some beliefs, each with its probability: without any weakness, and the mean of the others."""
-    rates, *weak = beliefs
-    found: List[Tuple[float, float]] = []
+def _rate(cells: Sequence[Cell]) -> float:
+    """Return the expected rate. The arbitrator asks for it often, so the sums are those of C."""
+    values = map(mul, RATES, cells[0].belief)
+    for cell in cells[1:]:
+        values = map(mul, values, cell.left)
+    return sum(values)
+
+
+def _rate_of_new(rates: Belief, keys: Sequence[Key]) -> float:
+    """Return the expected rate of a server of which no weakness is known."""
+    return _rate_without_trials(rates, tuple([aspect for aspect, _ in keys]))
+
+
+@lru_cache(maxsize=64)
+def _rate_without_trials(rates: Belief, aspects: Tuple[int, ...]) -> float:
+    return _rate([Cell(rates), *(_NEW[aspect] for aspect in aspects[1:])])
+
+
+def _gain(cells: Sequence[Cell], other: float) -> float:
+    """Return the expected gain over another rate: without any weakness, and by the mean of the others."""
+    rates, *weak = [cell.belief for cell in cells]
+    found = 0.0
     for position, rate in enumerate(RATES):
         strong = left = 1.0
         for belief in weak:
             strong *= 1.0 - belief[position]
             left *= 1.0 - (1.0 - _LEFT) * belief[position]
-        share, others = rates[position], 1.0 - strong
-        found.append((rate, share * strong))
-        if others > 0.0:
-            found.append((rate * (left - strong) / others, share * others))
+        weakened = rate * (left - strong) / (1.0 - strong) if strong < 1.0 else 0.0
+        found += rates[position] * (strong * max(0.0, rate - other) + (1.0 - strong) * max(0.0, weakened - other))
     return found
 
 

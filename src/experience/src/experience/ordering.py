@@ -12,7 +12,8 @@ from typed_arguments import FilledFrame
 FAILURE_S = 300.0
 #: How long a server takes that was never tried, seconds, while nothing of its frame is known.
 _UNTRIED_S = 10.0
-#: In frames where failing harms nothing, a server is tried that may be better: what is found out serves so many commands.
+#: In frames where failing harms nothing, a server is tried that may be better: what is found out serves so many
+#: commands.
 _SERVES = 2.0
 #: Reasons name trials that say something: so many at least.
 _FEWEST = 2

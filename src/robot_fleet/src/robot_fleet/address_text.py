@@ -118,7 +118,7 @@ class _Utterance:
         return 0
 
     def _told_behind_front(self) -> Tuple[Part, ...]:
-        """Return the parts of "Alpha, when the bell rings, tell Beta to go": Beta waits for the bell; empty for others."""
+        """Return the parts of "Alpha, when the bell rings, tell Beta to go": Beta waits; empty for other texts."""
         begin = self._behind_address(0)
         first = self._skip(begin, len(self._words), "greetings")
         if not self._lists["fronts"].length_at(self._words, first):
