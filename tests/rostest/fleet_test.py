@@ -78,13 +78,21 @@ class FleetTest(unittest.TestCase):
             bell.publish(Header(stamp=rospy.Time.now()))
             wait_until(lambda before=before, robots=robots: self.robots.who_moved(before) == robots)
             wait_until(lambda: self.robots.stand(ROBOTS))
-        reply = self.robots.ask("Alpha, when the bell rings, tell Beta to turn left 20 degrees.")
-        self.assertEqual(reply.code, "DONE", reply.sentence)
-        self.assertIn("turn left 20 degrees when the bell rings", waits_for("Beta, what are you waiting for?"))
         self.robots.ask("Everybody, forget noon.")
         self.robots.ask("Beta, forget the bell.")
         answer = waits_for("Everybody, what are you waiting for?")
         self.assertEqual(answer, "Alpha, Beta and Gamma: I have no standing order.")
+        # What Alpha is to pass on waits for the bell with Beta, and is answered when it is done.
+        text = "Alpha, when the bell rings, tell Beta to turn left 20 degrees."
+        before, replies = self.robots.turned(), len(self.robots.replies)
+        self.robots.say(text)
+
+        def has_turned() -> bool:
+            bell.publish(Header(stamp=rospy.Time.now()))
+            return self.robots.who_moved(before) == ("beta",)
+
+        wait_until(has_turned)
+        wait_until(lambda: [reply.code for reply in self.robots.replies[replies:]] == ["DONE"])
 
     def test_5_a_robot_that_dies_has_left(self) -> None:
         kill("gamma/robot")

@@ -232,10 +232,10 @@ def _combinations(count: int) -> Tuple[Tuple[bool, ...], ...]:
 
 def _rate(cells: Sequence[Cell]) -> float:
     """Return the expected rate. The arbitrator asks for it often, so the sums are those of C."""
-    values = map(mul, RATES, cells[0].belief)
+    values: Iterable[float] = map(mul, RATES, cells[0].belief)
     for cell in cells[1:]:
         values = map(mul, values, cell.left)
-    return sum(values)
+    return float(sum(values))
 
 
 def _rate_of_new(rates: Belief, keys: Sequence[Key]) -> float:
