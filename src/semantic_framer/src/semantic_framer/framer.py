@@ -21,6 +21,7 @@ from semantic_framer.linked_sentence import (
     swallowed_words,
 )
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.news import told_when
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CAREFUL,
@@ -282,6 +283,10 @@ class _Hearing:
             doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
+            news = told_when(sentence, known, best)
+            if news.found:
+                waited = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, news)}" is meant.')
+                return read_linked(sentence, context, self._now, waited, news) or heard
             is_lost = has_lost_link(sentence, best)
             joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
             swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
