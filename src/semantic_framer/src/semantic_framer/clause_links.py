@@ -313,6 +313,8 @@ class _Finder:
         word, form = self.words[end], self.forms[end]
         if word.upos in ("PUNCT", "CCONJ") or form in _BORDERS:
             return True
+        if form == "to" and [after.xpos for after in self.words[end + 1 : end + 2]] == ["VB"]:
+            return True  # "Remind me at six *to call Bob*".
         links = shipped_links()
         if any(at(self.forms[end:])[1] for at in (links.link_at, links.joiner_at, links.deed_link_at, links.order_at)):
             return True

@@ -13,6 +13,7 @@ _HAVE, _BE = word_class("forms_of_have"), word_class("forms_of_be") | {"be"}
 _MOMENTARY = frozenset(["Arriving", "Departing", "Impact", "Process_end", "Process_start", "Statement"])
 #: FrameNet's names of what begins when a verb says so, and may last: "the door opens", "the bell rings".
 _CHANGING = frozenset(["Make_noise", "State_of_entity"])
+_EVENT, _BEGINNING = "Event", word_class("verbs_of_beginning")
 _LASTING = word_class("lasting_verbs") | word_class("verbs_of_remaining") | _BE
 
 
@@ -49,8 +50,10 @@ def happens(part: ConditionPart, sentence: Sentence, known: FramedLexicon) -> bo
     if part.reading is None or forms & (_HAVE | _BE):
         return False
     own = {sentence.word(index).lemma.lower() for index in part.reading.verb_positions}
-    changes = known.frames[part.reading.unit.frame_name].framenet in _CHANGING
-    return changes and bool(own) and not own & _LASTING
+    framenet = known.frames[part.reading.unit.frame_name].framenet
+    if framenet == _EVENT:
+        return bool(own & _BEGINNING)  # "If it starts raining"; "if it rains" asks how it is now.
+    return framenet in _CHANGING and bool(own) and not own & _LASTING
 
 
 def is_momentary(part: ConditionPart, known: FramedLexicon) -> bool:

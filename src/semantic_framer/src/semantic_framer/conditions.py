@@ -6,7 +6,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 """
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
 from semantic_framer.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.framed_lexicon import FramedLexicon

@@ -1,7 +1,7 @@
 """How often, or for how long, a clause is to be carried out: "twice", "three times", "for two minutes"."""
 
 from dataclasses import replace
-from typing import FrozenSet, Optional, Tuple
+from typing import FrozenSet, Optional, Sequence, Tuple
 
 from semantic_framer.extra_phrases import left_over_groups
 from semantic_framer.reading import Reading, with_argument
@@ -62,9 +62,16 @@ def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
     """Return how often some words say; 0 if they say something else."""
     forms = [sentence.word(index).form.lower() for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
     forms = [form for form in forms if form not in _EXACT]
+    if len(forms) == 2 and sentence.word(root).form.lower() != forms[1]:
+        return 0
+    return number_of_times(forms)
+
+
+def number_of_times(forms: Sequence[str]) -> int:
+    """Return how often words in lower case say: "twice", "three times"; 0 if they say something else."""
     if len(forms) == 1 and forms[0] in _ADVERBS:
         return _ADVERBS.index(forms[0]) + 1
-    if len(forms) != 2 or forms[1] not in _NOUNS or sentence.word(root).form.lower() != forms[1]:
+    if len(forms) != 2 or forms[1] not in _NOUNS:
         return 0
     number = find_number(forms[0])
     is_count = number is not None and number == int(number) and 1 <= number <= MOST_TIMES

@@ -3,12 +3,12 @@
 from dataclasses import replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
-from semantic_framer.amending import last_command
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import chosen
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.dialogue import Context, Pending, is_no
+from semantic_framer.fragment_changes import last_command
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_sentence import (

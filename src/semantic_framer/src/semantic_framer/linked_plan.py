@@ -349,7 +349,8 @@ class _Builder:
         said = joint.condition
         if said is None:
             raise NoStructure("a link without a condition")
-        if joint.kind is LinkKind.IF and not otherwise and self._table.happens(said):
+        is_only = "only" in joint.words.lower().split()  # "Only if the bell rings" waits for nothing.
+        if joint.kind is LinkKind.IF and not (otherwise or is_only) and self._table.happens(said):
             joint = replace(joint, kind=LinkKind.WHEN)
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
