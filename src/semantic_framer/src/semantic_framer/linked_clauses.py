@@ -5,7 +5,7 @@ from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.condition_part import ConditionPart, happens
-from semantic_framer.control import going_on
+from semantic_framer.control import going_on, has_end
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.item_lists import has_items, items_apart
 from semantic_framer.link_file import LinkKind
@@ -105,7 +105,7 @@ class LinkedClauses:
         is_open = going_on(readings[0], frames[readings[0].unit.frame_name]) is not None
         first = min(self.positions[part.clause])
         is_kept_up = first > 1 and self._sentence.word(first - 1).form.lower() in _CONTINUING
-        if is_kept_up or is_open:
+        if is_open or (is_kept_up and not has_end(readings[0], frames[readings[0].unit.frame_name])):
             return PlanPart("REPEAT", part.label, (part,))
         return part
 
