@@ -11,7 +11,8 @@ from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, unit_argument
 from semantic_framer.dialogue import LastCommand
-from semantic_framer.fragments import Fragment, FragmentKind
+from semantic_framer.fragment_kind import FragmentKind
+from semantic_framer.fragments import Fragment
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.paces import PACES, at_pace, pace_element

@@ -1,11 +1,11 @@
 """A condition as it was understood, and whether it happens in a moment."""
 
 from dataclasses import dataclass
-from typing import FrozenSet, Optional, Tuple
+from typing import FrozenSet, Mapping, Optional, Tuple
 
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
-from semantic_framer.sentence import Sentence
+from semantic_frames.frame import SemanticFrame
+from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
 _HAVE, _BE = word_class("forms_of_have"), word_class("forms_of_be") | {"be"}
@@ -38,26 +38,26 @@ class ConditionPart:
     is_anew: bool = False
 
 
-def happens(part: ConditionPart, sentence: Sentence, known: FramedLexicon) -> bool:
+def happens(part: ConditionPart, tree: DependencyTree, frames: Mapping[str, SemanticFrame]) -> bool:
     """Whether a condition happens in a moment: "if Anna comes", "if the door opens", but not "if Anna has come", "if
     the door is opening" or "if nobody comes".
     """
     if part.is_negated:
         return False
-    forms = {sentence.word(index).lemma.lower() for index in part.positions if sentence.word(index).upos == "AUX"}
-    if is_momentary(part, known):
+    forms = {tree.word(index).lemma.lower() for index in part.positions if tree.word(index).upos == "AUX"}
+    if is_momentary(part, frames):
         return not forms & _HAVE
     if part.reading is None or forms & (_HAVE | _BE):
         return False
-    own = {sentence.word(index).lemma.lower() for index in part.reading.verb_positions}
-    framenet = known.frames[part.reading.unit.frame_name].framenet
+    own = {tree.word(index).lemma.lower() for index in part.reading.verb_positions}
+    framenet = frames[part.reading.unit.frame_name].framenet
     if framenet == _EVENT:
         return bool(own & _BEGINNING)  # "If it starts raining"; "if it rains" asks how it is now.
     return framenet in _CHANGING and bool(own) and not own & _LASTING
 
 
-def is_momentary(part: ConditionPart, known: FramedLexicon) -> bool:
+def is_momentary(part: ConditionPart, frames: Mapping[str, SemanticFrame]) -> bool:
     """Whether a condition, or one of those in it, is over in a moment: "Anna comes", but not "the bell rings"."""
     if part.reading is None:
-        return any(is_momentary(child, known) for child in part.children)
-    return known.frames[part.reading.unit.frame_name].framenet in _MOMENTARY
+        return any(is_momentary(child, frames) for child in part.children)
+    return frames[part.reading.unit.frame_name].framenet in _MOMENTARY

@@ -85,11 +85,11 @@ def read_condition(
         return None
     if somebody:
         one = _read_one(sentence, known, positions, is_until, somebody)
-        return one if one is not None and happens(one, sentence, known) else None
+        return one if one is not None and happens(one, sentence.tree, known.frames) else None
     read = _read_whole(
         sentence, known, [index for index in positions if sentence.word(index).upos != "PUNCT"], is_until
     )
-    return None if read is None or (must_last and is_momentary(read, known)) else read
+    return None if read is None or (must_last and is_momentary(read, known.frames)) else read
 
 
 def _has_foreign_comma(sentence: Sentence, positions: Sequence[int]) -> bool:

@@ -5,7 +5,8 @@ from typing import Optional, Sequence
 
 from semantic_framer.amending import Clauses, amended, measured
 from semantic_framer.dialogue import Context, LastCommand
-from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
+from semantic_framer.fragment_kind import FragmentKind
+from semantic_framer.fragments import Fragment, fragment_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import (
     CORRECTION,

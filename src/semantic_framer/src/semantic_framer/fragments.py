@@ -5,14 +5,14 @@ what to do with the whole command. The words are in ``fragments.yaml``.
 """
 
 from dataclasses import dataclass
-from enum import Enum
 from functools import lru_cache
 from pathlib import Path
 from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
-from semantic_framer.control import number_of_times
+from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.repetitions import number_of_times
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_words
 from semantic_framer.utterance_kind import kind_without_clause
@@ -47,22 +47,8 @@ _MORE = word_class("more_words")
 #: Alone, they name nothing that was not said already.
 _NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs")
 #: What may stand before a number of times and nothing else: "another three times".
-_AGAIN = frozenset(["", "another", "do it", "do that", "do this"])
+_AGAIN = word_class("words_before_repetitions") | {""}
 _NO_FRAGMENT = word_class("negations") | word_class("conditions") | word_class("question_words")
-
-
-class FragmentKind(Enum):
-    """What a fragment does to the last command."""
-
-    REPEAT = "repeats it"
-    MORE = "does as much again"
-    BIT = "does a bit more"
-    FASTER = "goes faster"
-    SLOWER = "goes slower"
-    LOUDER = "says it louder"
-    QUIETER = "says it more quietly"
-    OPPOSITE = "takes the other side"
-    ELEMENTS = "changes elements"
 
 
 @dataclass(frozen=True)

@@ -131,7 +131,7 @@ class LinkedClauses:
 
     def happens(self, condition: ConditionPart) -> bool:
         """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
-        return happens(condition, self._sentence, self._known)
+        return happens(condition, self._sentence.tree, self._known.frames)
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

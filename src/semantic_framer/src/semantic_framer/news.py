@@ -45,7 +45,7 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
     if link is None or link.kind not in (LinkKind.IF, *_OF_NEWS) or _names_participants(sentence, positions):
         return Joints()
     condition = read_condition(sentence, known, positions[length:])
-    if condition is None or not happens(condition, sentence, known):
+    if condition is None or not happens(condition, sentence.tree, known.frames):
         return Joints()
     kind = LinkKind.WHEN if link.kind is LinkKind.IF else link.kind
     words = sentence.text(positions[:length])
@@ -58,7 +58,10 @@ def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: Frame
         joint.condition
         for joint in joints.found
         if joint.condition is not None
-        and (joint.kind in _OF_NEWS or (joint.kind is LinkKind.IF and happens(joint.condition, sentence, known)))
+        and (
+            joint.kind in _OF_NEWS
+            or (joint.kind is LinkKind.IF and happens(joint.condition, sentence.tree, known.frames))
+        )
     ]
     if len(news) != 1:
         return clauses
