@@ -4,8 +4,8 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.extra_phrases import left_over_groups
+from semantic_framer.iterations import times_said
 from semantic_framer.reading import Reading, with_argument
-from semantic_framer.repetitions import number_of_times
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import Quantity, SemanticFrame
 from typed_arguments import Measure, Source, TypedArgument
@@ -58,9 +58,10 @@ def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
     """Return how often some words say; 0 if they say something else."""
     forms = [sentence.word(index).form.lower() for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
     forms = [form for form in forms if form not in _EXACT]
-    if len(forms) == 2 and sentence.word(root).form.lower() != forms[1]:
+    said = times_said(forms)
+    if said is None or said[1] != len(forms) or sentence.word(root).form.lower() != forms[-1]:
         return 0
-    return number_of_times(forms)
+    return said[0]
 
 
 def with_duration(

@@ -7,8 +7,8 @@
 from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.iterations import times_said
 from semantic_framer.link_file import LinkKind, shipped_links
-from semantic_framer.repetitions import number_of_times
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -91,13 +91,8 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
 def times_at(forms: Sequence[str]) -> Optional[Times]:
     """Return the least or the largest number of times that words in lower case begin with: "at least twice"."""
     link, place = shipped_links().count_at(forms)
-    if link is None:
-        return None
-    for length in (1, 2):
-        number = number_of_times(forms[place : place + length])
-        if number:
-            return Times(link.kind, number, place + length)
-    return None
+    said = times_said(forms[place:]) if link is not None else None
+    return Times(link.kind, said[0], place + said[1]) if link is not None and said is not None else None
 
 
 def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:

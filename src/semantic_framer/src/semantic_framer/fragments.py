@@ -11,8 +11,8 @@ from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.iterations import times_said
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.repetitions import number_of_times
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_words
 from semantic_framer.utterance_kind import kind_without_clause
@@ -167,9 +167,9 @@ def _times_at_end(forms: Sequence[str]) -> Tuple[int, int]:
             break
         for length in (1, 2, 3):
             said = [form for form in forms[max(0, end - length) : end] if form not in _MORE]
-            times = number_of_times(said)
-            if times and length <= end:
-                return times, len(forms) - end + length
+            times = times_said(said) if length <= end else None
+            if times is not None and times[1] == len(said):
+                return times[0], len(forms) - end + length
     return 0, 0
 
 
