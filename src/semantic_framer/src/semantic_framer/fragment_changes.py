@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Optional, Sequence
 
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_framer.amending import Clauses, amended, measured
 from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
@@ -19,7 +20,6 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
-    join_with_or,
 )
 from semantic_framer.paces import PACES
 from semantic_framer.sentence import Sentence
