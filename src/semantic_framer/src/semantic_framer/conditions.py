@@ -8,6 +8,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
+from semantic_framer.clock_times import clock_time_at
 from semantic_framer.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
@@ -323,6 +324,14 @@ def _argument(
     element = frame.element(name)
     if kind == "state":
         return argument_of(sentence, name, positions) if _is_state(words[0]) else None
+    if kind == "clock":
+        clock = clock_time_at(["at", *(word.form.lower() for word in words)])
+        is_whole = clock is not None and clock.length == len(words) + 1
+        is_once = clock is not None and clock.when is not None and clock.when.kind == "time"
+        if clock is None or not (is_whole and is_once):
+            return None
+        text = sentence.text(positions)
+        return replace(argument_of(sentence, name, positions), text=text, words=text, time=clock.when)
     if kind == "word" and words[0].form.lower() not in _NO_PHRASE:
         return argument_of(sentence, name, positions)
     quantity = element.quantity if element is not None else None
