@@ -34,10 +34,13 @@ class UnreadOdometry(Odometry):
         """Read the message. Python asks here for fields that have no value yet."""
         if name not in Odometry.__slots__:
             raise AttributeError(name)
-        Odometry.__init__(self)
+        read = Odometry()
         if self._encoded:
-            Odometry.deserialize(self, self._encoded)
-        return object.__getattribute__(self, name)
+            read.deserialize(self._encoded)
+        # Another thread that asks meanwhile meets fields that are whole, or reads the message as well.
+        for field in Odometry.__slots__:
+            setattr(self, field, getattr(read, field))
+        return getattr(read, name)
 
 
 def sample_of(message: Odometry) -> OdometrySample:
