@@ -235,8 +235,6 @@ def is_listed_elsewhere(filled: Filled) -> bool:
     is_bare = not any(child.deprel in ("det", "nmod:poss") for child in filled.tree.children(head.index))
     is_new = is_bare or is_indefinite(filled.tree, head.index)
     return (head.upos == "NOUN" and head.deprel == "obj" and is_new) and any(
-        head.index in other.listed
-        and other.unit.frame_name != filled.reading.unit.frame_name
-        and not other.missing
+        head.index in other.listed and other.unit.frame_name != filled.reading.unit.frame_name and not other.missing
         for other in filled.beside
     )
