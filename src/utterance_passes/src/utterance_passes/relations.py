@@ -78,9 +78,10 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
             continue
         edit.relabel(predicate.index, "ccomp")
         edit.rehang(copula.index, predicate.index)
-        for child in tree.children(verb.index):
-            if verb.index < child.index < copula.index:
-                edit.rehang(child.index, predicate.index, "nsubj")
+        between = tree.words[verb.index : copula.index - 1]
+        for word in between:
+            if not verb.index < word.head < copula.index:
+                edit.rehang(word.index, predicate.index, "nsubj")
     return edit.tree()
 
 
