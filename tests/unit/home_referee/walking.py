@@ -35,7 +35,8 @@ class Walk:
         """Return what the person does now, as the topic ``home/person`` has it; empty for nothing new."""
         if not self.person or self.is_over:
             return ""
-        is_near = bool(truth[f"{self.person}.is_near"])
+        # Behind a wall the robot has met nobody, however near they are.
+        is_near = bool(truth[f"{self.person}.is_near"]) and truth[f"{self.person}.room"] == truth["robot.room"]
         is_walking = truth[f"{self.person}.posture"] == "walking"
         self._has_walked = self._has_walked or (self._has_begun and is_walking)
         self._waits -= is_near
