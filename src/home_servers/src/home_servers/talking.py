@@ -117,7 +117,7 @@ def describe(skills: Skills, frame: FilledFrame) -> None:
         names = sorted({thing.the_name for thing in skills.memory.all() if thing.room == one.id})
         words = f"In {one.the_name} I see {', '.join(names)}."
     else:
-        words = sentence(f"{described(skills, now)}; it is {' and '.join(now.attributes) or now.category}")
+        words = sentence(f"{described(skills, now)}; {now.it_is} {' and '.join(now.attributes) or now.category}")
     if whom.text:
         skills.person(whom)
     skills.answer(words)
