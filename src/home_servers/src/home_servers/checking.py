@@ -5,17 +5,16 @@ What is checked comes as a frame of a condition in the argument, with the role "
 """
 
 from dataclasses import replace
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
 from home_servers.body import CannotDo
-from home_servers.looking import OPPOSITES, counted, described, say_list, sentence
-from home_servers.memory import PERSONS, THINGS, Known
+from home_servers.looking import ANYTHING, OPPOSITES, counted, described, say_list, sentence
+from home_servers.memory import PERSONS, Known, is_whole
 from home_servers.skills import HEARERS, Skills, argument
 from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
-from word_classes import without_determiner, word_class
+from word_classes import without_determiner
 
 _STATE, _PLACE = "condition_of_state", "condition_of_place"
-_ALL = word_class("determiners_of_all")
 #: Actions that bring a state about: kind and value.
 _ACTIONS: Dict[str, Tuple[str, str]] = {
     "closed": ("close", ""),
@@ -50,8 +49,8 @@ def _element(frame: EmbeddedFrame, name: str) -> TypedArgument:
 def inspect(skills: Skills, frame: FilledFrame) -> None:
     """Go to something, look at it, and say how it is, or whether it is as it was said to be."""
     wanted = argument(frame, "desired_state")
-    for one in statements(wanted):
-        _inspect_statement(skills, one)
+    for statement in statements(wanted):
+        _inspect_statement(skills, statement)
     if statements(wanted):
         return
     for one in skills.find_all(argument(frame, "ground")):
@@ -114,9 +113,7 @@ def verify(skills: Skills, frame: FilledFrame) -> None:
         raise CannotDo(f'I do not know how to check "{content.text}".')
     for one in found:
         if one.frame_name == _STATE:
-            wanted = _wanted(one)
-            for thing in _meant(skills, one):
-                _bring_about(skills, thing, wanted)
+            bring_all_about(skills, _meant(skills, one), _wanted(one))
             continue
         is_so, seen = _is_at_place(skills, one)
         if not is_so:
@@ -133,7 +130,7 @@ def _wanted(statement: EmbeddedFrame) -> str:
     state = _element(statement, "state").text.lower()
     if not statement.is_negated:
         return state
-    if state not in OPPOSITES or _theme(statement).quantifier in _ALL:
+    if state not in OPPOSITES or is_whole(_theme(statement)):
         raise CannotDo(f'I do not know how to check "{statement.words}".')
     return OPPOSITES[state]
 
@@ -142,7 +139,7 @@ def _meant(skills: Skills, statement: EmbeddedFrame) -> List[Known]:
     theme = _theme(statement)
     # "No light is on" is said of all lights.
     is_denied = statement.is_negated and not theme.quantifier and theme.possessor is None
-    is_of_all = theme.is_plural or theme.quantifier in _ALL or is_denied
+    is_of_all = theme.is_plural or is_whole(theme) or is_denied
     return skills.find_all(replace(theme, is_plural=is_of_all), "door", "furniture", "thing")
 
 
@@ -157,12 +154,38 @@ def _is_at_place(skills: Skills, statement: EmbeddedFrame) -> Tuple[bool, str]:
         are_enough = len(found) >= max(1, theme.count or 1)
         return are_enough is not statement.is_negated, f"I see {names} {where}."
     about = without_determiner(theme.text)
-    nothing = "nobody" if about in PERSONS else "nothing" if about in THINGS else f"no {about}"
+    nothing = "nobody" if about in PERSONS else "nothing" if about in ANYTHING else f"no {about}"
     return statement.is_negated, f"I see {nothing} {where}."
 
 
-def _bring_about(skills: Skills, one: Known, wanted: str) -> None:
-    if _has_state(_seen(skills, one), wanted):
+def bring_all_about(skills: Skills, things: Sequence[Known], wanted: str) -> None:
+    """Bring a state of things about. What shows no such state, a passage without a door, is passed over beside others.
+
+    Raises:
+        CannotDo: it cannot be brought about, or one of them has lost the state again
+    """
+    left = list(things)
+    for one in things:
+        is_so = _has_state(_seen(skills, one), wanted)
+        if is_so is not None:
+            left = []
+            _bring_about(skills, one, wanted, is_so=is_so)
+    for one in left:
+        _bring_about(skills, one, wanted, is_so=False)
+    # Who closes all doors goes through some of them again.
+    for one in [one for one in things if _shows(skills, one, wanted) is False]:
+        _bring_about(skills, one, wanted, is_so=False)
+    lost = [one for one in things if _shows(skills, one, wanted) is False]
+    if lost:
+        raise CannotDo(f"{lost[0].the_name_is.capitalize()} not {wanted}.")
+
+
+def _shows(skills: Skills, one: Known, wanted: str) -> Optional[bool]:
+    return _has_state(skills.memory.get(one.id) or one, wanted)
+
+
+def _bring_about(skills: Skills, one: Known, wanted: str, *, is_so: bool) -> None:
+    if is_so:
         skills.answer(sentence(f"{one.the_name_is} {wanted}"))
         return
     if wanted not in _ACTIONS:

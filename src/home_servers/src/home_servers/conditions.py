@@ -7,15 +7,14 @@ from typing import Callable, Dict, FrozenSet, List, Mapping, Protocol
 
 import yaml
 
-from home_servers.memory import PERSONS, Known, Memory, wanted_names
+from home_servers.memory import PERSONS, Known, Memory, is_whole, wanted_names
 from home_servers.skills import HEARERS, SPEAKERS
 from typed_arguments import TypedArgument
-from word_classes import without_determiner, word_class
+from word_classes import without_determiner
 
 _NEAR_M = 1.5
 #: Quantifiers that leave open which things are meant; none does so before a plural.
 _OPEN = ("", "a", "any", "some", "no")
-_ALL = word_class("determiners_of_all")
 
 
 class CannotTell(Exception):
@@ -190,7 +189,7 @@ class Conditions:
             # "No lights are on" denies that lights are on, whichever they are.
             seen = [one for one in found if one.states]
             return _are_enough([one for one in seen or found[:1] if self._shows(one, word)], theme)
-        if theme.quantifier in _ALL or theme.is_plural:
+        if is_whole(theme) or theme.is_plural:
             return all(self._shows(one, word) for one in found)
         return self._shows(found[0], word)
 

@@ -1,14 +1,16 @@
 """Frames of looking, finding, counting and comparing: the robot says what it has seen."""
 
 from dataclasses import replace
-from typing import List, Optional, Tuple
+from typing import List
 
 from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
 from home_servers.skills import HEARERS, SPEAKERS, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
-from word_classes import without_determiner
+from word_classes import without_determiner, word_class
 
+#: Pronouns for any thing.
+ANYTHING = word_class("indefinite_things")
 #: What states are called; others are called by themselves.
 STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
 OPPOSITES = {
@@ -76,7 +78,12 @@ def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[
         raise CannotDo("I do not know where I am.")
     skills.look_in(ground) if place.text else skills.attempt("look")
     is_of_people = bool(PERSONS.intersection((theme.lemma.lower(), theme.head.lower(), theme.text.lower())))
-    found = skills.memory.all("person") if is_of_people else skills.memory.find(theme, "thing", "furniture")
+    if is_of_people:
+        found = skills.memory.all("person")
+    elif theme.text.lower() in ANYTHING:
+        found = skills.memory.all("thing")
+    else:
+        found = skills.memory.find(theme, "thing", "furniture")
     return [one for one in found if skills.is_at(one, ground, place.relation)]
 
 

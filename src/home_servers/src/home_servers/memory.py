@@ -7,10 +7,10 @@ from typing import Dict, Iterable, List, Optional, Set, Tuple
 
 from referring_expressions.describing import is_plural_noun
 from typed_arguments import TypedArgument
-from word_classes import without_determiner
+from word_classes import without_determiner, word_class
 
 #: Nouns for any thing and for any person.
-THINGS = frozenset("thing things object objects item items something anything everything".split())
+THINGS = frozenset("thing things object objects item items everything".split())
 PERSONS = frozenset(
     "person people persons visitor visitors guest guests everybody everyone somebody someone anybody anyone".split()
 )
@@ -165,6 +165,7 @@ class Memory:
         return found + [one for one in referents if one not in found]
 
 
+_WHOLE = word_class("determiners_of_all")
 _INDEFINITE = ("a", "any", "some")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
 
@@ -172,6 +173,11 @@ _COLOURS = frozenset("red blue green yellow white black brown big small".split()
 def is_any(argument: TypedArgument) -> bool:
     """Whether any thing of a kind will do, "a person": not only those that were known when it was said."""
     return argument.quantifier in _INDEFINITE
+
+
+def is_whole(argument: TypedArgument) -> bool:
+    """Whether all things of a kind are meant: "every mug", "everybody"."""
+    return argument.quantifier in _WHOLE
 
 
 def _name_words(one: Known) -> Set[str]:

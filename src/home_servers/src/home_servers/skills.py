@@ -4,7 +4,7 @@ import math
 from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from home_servers.body import Body, CannotDo
-from home_servers.memory import Known, is_any
+from home_servers.memory import Known, is_any, is_whole
 from home_servers.places import RELATIONS, Place
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
@@ -180,11 +180,14 @@ class Skills:
         if argument.text.lower() in _MET and not argument.referents and met is not None:
             return [met]
         place = self._place_of(near) if near is not None and near.text else None
+        wants_all = (argument.is_plural or is_whole(argument)) and argument.count is None
+        # "Everything on the table" is more than what the robot has seen there by chance.
+        where = (place or self._inner_place(argument)) if wants_all else None
+        self._look_in_each([where.known] if where is not None else [], lambda: True)
         found = self._matching(argument, sorts, place)
         if is_any(argument) and place is None:
             found = self._here_first(argument, sorts, found)
         need = max(least, argument.count or 1)
-        wants_all = argument.is_plural and argument.count is None
         if len(found) < need:
             self._seek(argument, sorts, place, need)
             found = self._matching(argument, sorts, place)

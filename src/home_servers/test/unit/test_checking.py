@@ -94,6 +94,14 @@ def test_each_item_of_a_list_is_made_sure_of():
     assert (truth["stove.is_on"], truth["garage_door.is_open"]) == (False, False)
 
 
+def test_a_passage_is_no_door_that_could_be_closed():
+    home, body = body_with(garage_door={"is_open": True})
+    doors = TypedArgument(text="all the doors", head="doors", lemma="door", quantifier="all", is_plural=True)
+    verified(body, says(STATE, theme=doors, state="closed"))
+    truth = truth_of(home.plan, home.state)
+    assert not [name for name in truth if name.endswith("_door.is_open") and truth[name]]
+
+
 @pytest.mark.parametrize(
     "frames",
     [

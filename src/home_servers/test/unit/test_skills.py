@@ -153,7 +153,7 @@ def test_whoever_does_not_walk_is_not_followed():
 
 
 def test_a_person_is_whoever_is_here():
-    home, body, skills = make()
+    _, _, skills = make()
     skills.go("office")
     a_person = phrase("a person", quantifier="a", referents=("alice",))
     assert skills.find(a_person, "person").id == "bob"

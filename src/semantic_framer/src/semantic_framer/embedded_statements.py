@@ -25,7 +25,7 @@ def with_statements(reading: Reading, sentence: Sentence, known: FramedLexicon) 
     about = tuple(place for one in reading.arguments if roles.get(one.name) in STATED_OF for place in one.positions)
 
     def stated(argument: TypedArgument) -> TypedArgument:
-        role = roles.get(argument.name)
+        role = roles.get(argument.name) or ""
         if role not in STATED or not argument.positions or any(one.role == "says" for one in argument.frames):
             return argument
         positions = argument.positions if not STATED[role] else tuple(sorted({*about, *argument.positions}))

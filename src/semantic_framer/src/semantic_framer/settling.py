@@ -8,8 +8,8 @@ from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.embedded_statements import with_statements
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
     CAREFUL,
