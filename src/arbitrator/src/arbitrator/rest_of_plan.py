@@ -3,7 +3,7 @@
 import threading
 import time
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, Iterable, List, Optional, Tuple, Union, cast
+from typing import Callable, Dict, List, Optional, Tuple, Union, cast
 
 from arbitrator.node_runs import ABORTED, SUCCEEDED, NodeEvent
 from arbitrator.plan import (
@@ -23,6 +23,7 @@ from arbitrator.plan import (
     parts_of,
     walk,
 )
+from roboframenet_ros.spoken_lists import join_with_and
 
 #: What had less time left than this is over, seconds: nobody could tell the difference.
 _LEAST_S = 0.1
@@ -211,9 +212,3 @@ def said(plan: Part) -> str:
     if isinstance(plan, Fallback):
         return " or else ".join(words)
     return join_with_and(words)
-
-
-def join_with_and(words: Iterable[str]) -> str:
-    """Return words as a list in a sentence: "a, b and c"."""
-    parts = list(words)
-    return ", ".join(parts[:-1]) + " and " + parts[-1] if len(parts) > 1 else "".join(parts)

@@ -6,10 +6,10 @@ from typing import Iterable, List, Optional, Sequence, Tuple, Union
 
 from arbitrator.node_runs import ABORTED, PREEMPTED, SUCCEEDED, EndedBy
 from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat, Until, Wait, While, parts_of, walk
-from arbitrator.rest_of_plan import join_with_and
 from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, as_sentence, describe_failures
 from executor.run_record import NodeRecord
+from roboframenet_ros.spoken_lists import join_with_and
 
 
 class ReplyOutcome(enum.IntEnum):

@@ -1,12 +1,13 @@
 """What people say of deeds and of servers, and what the robot answers."""
 
 from dataclasses import dataclass
-from typing import Callable, Dict, FrozenSet, Iterable, Mapping, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, Mapping, Optional, Tuple
 
 from experience.known import Aspect, Subject
 from experience.memory import Memory
 from experience.rules import Rule, RuleKind, is_named, words_of
 from experience.trial import Judgement, Outcome, Trial
+from roboframenet_ros.spoken_lists import join_with_and
 from typed_arguments import TypedArgument
 
 #: Rules that an answer names.
@@ -95,7 +96,7 @@ def _judge(asked: Asked, judgement: Judgement) -> Answer:
     judged = asked.memory.judge(judgement)
     if not judged:
         return Answer(f'"{said}" did not work anyway.')
-    servers = _listed(dict.fromkeys(name_of(trial.server) for trial in judged))
+    servers = join_with_and(dict.fromkeys(name_of(trial.server) for trial in judged))
     told = (deed[0].command_id, judgement)
     if judgement is Judgement.RIGHT:
         return Answer(f'Thank you. I remember that {servers} did "{said}" well.', told)
@@ -156,7 +157,7 @@ def take_back(asked: Asked) -> Answer:
     if not found:
         return Answer(f'I have no rule about "{asked.server}".')
     asked.memory.take_back(found)
-    return Answer(f"All right, this holds no longer: {_listed(rule.sentence for rule in found)}.", dropped=found)
+    return Answer(f"All right, this holds no longer: {join_with_and(rule.sentence for rule in found)}.", dropped=found)
 
 
 def tell_rules(asked: Asked) -> Answer:
@@ -203,11 +204,6 @@ def name_of(server: str) -> str:
 
 def _sentence_case(text: str) -> str:
     return text[:1].upper() + text[1:]
-
-
-def _listed(names: Iterable[str]) -> str:
-    found = list(names)
-    return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}"
 
 
 #: By the name of the frame.

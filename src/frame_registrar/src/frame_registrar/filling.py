@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Dict, Iterable, Mapping, Optional, Tuple
 
 import word_classes
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_frames.extra_thematic import extra_thematic_of_arguments
 from semantic_frames.frame import (
     ConstantArgument,
@@ -208,8 +209,3 @@ def without_determiner(argument: str) -> str:
 def spoken_name(name: str) -> str:
     """Return the name of a frame or an element in words: "moving forward" for "moving_forward"."""
     return name.replace("_", " ")
-
-
-def join_with_or(values: Tuple[str, ...]) -> str:
-    """Return a list of values in words: "left, right or around"."""
-    return values[0] if len(values) == 1 else ", ".join(values[:-1]) + " or " + values[-1]

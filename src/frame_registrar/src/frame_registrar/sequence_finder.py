@@ -8,12 +8,12 @@ from frame_registrar.filling import (
     child_arguments,
     extra_thematic_arguments,
     fill,
-    join_with_or,
     spoken_name,
     unmet_condition,
 )
 from frame_registrar.graph import FrameGraph
 from frame_registrar.heeding import lost_arguments, sentence_about, unheeded_arguments
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_frames.frame import RelatedFrame
 from semantic_frames.server_profile import Purpose
 from typed_arguments import FilledFrame

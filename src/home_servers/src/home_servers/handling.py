@@ -179,14 +179,14 @@ def switch(skills: Skills, frame: FilledFrame) -> None:
 
 def _switch_one(skills: Skills, one: Known, wanted: TypedArgument) -> None:
     words = wanted.text.lower()
+    number = _NUMBER.match(words)
     if words in ("on", "off"):
         skills.attempt("switch", theme=one.id, value=words)
     elif words in ("up", "down", "higher", "lower"):
         _change_level(skills, one, 20.0 if words in ("up", "higher") else -20.0)
-    elif wanted.si is not None or wanted.count is not None or _NUMBER.match(words):
-        said = _NUMBER.match(words)
+    elif wanted.si is not None or wanted.count is not None or number:
         amount = wanted.count if wanted.count is not None else wanted.si
-        skills.attempt("switch", theme=one.id, amount=float(said.group() if said else amount or 0.0))
+        skills.attempt("switch", theme=one.id, amount=float(number.group() if number else amount or 0.0))
     elif words:
         skills.attempt("switch", theme=one.id, value=words)
     else:

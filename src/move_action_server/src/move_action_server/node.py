@@ -2,15 +2,13 @@
 
 import enum
 import math
-import threading
 import time
 from dataclasses import dataclass
 from functools import partial
-from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Callable, Dict, Mapping, Sequence, Union
 
 import rospy
 from geometry_msgs.msg import Twist
-from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import FilledSemanticFrameFeedback, FilledSemanticFrameResult
 
 from move_action_server.base_claim import BaseClaim, BaseClaims
@@ -22,10 +20,10 @@ from move_action_server.motion import (
     MotionProfile,
     MotionSettings,
     MotionState,
-    OdometrySample,
     check_goal,
     describe_amount,
 )
+from move_action_server.ros_odometry import LatestOdometry
 from move_action_server.spoken_motion import (
     PACES,
     SPEEDS,
@@ -143,70 +141,6 @@ class Settings(Parameters):
         )
 
 
-def sample_of(message: Odometry) -> OdometrySample:
-    """Read an odometry message; an orientation that is not a rotation gives a sample that is not finite."""
-    rotation = message.pose.pose.orientation
-    length = math.sqrt(rotation.x**2 + rotation.y**2 + rotation.z**2 + rotation.w**2)
-    yaw_rad = math.nan
-    if 0.5 < length < 2.0:
-        yaw_rad = math.atan2(
-            2.0 * (rotation.w * rotation.z + rotation.x * rotation.y),
-            rotation.w**2 + rotation.x**2 - rotation.y**2 - rotation.z**2,
-        )
-    position = message.pose.pose.position
-    return OdometrySample(stamp_s=message.header.stamp.to_sec(), x_m=position.x, y_m=position.y, yaw_rad=yaw_rad)
-
-
-class LatestOdometry:
-    """Holds the newest usable odometry sample and wakes threads that wait for the next one.
-
-    Subscribes ``odom`` (nav_msgs/Odometry).
-    """
-
-    def __init__(self) -> None:
-        self._condition = threading.Condition()
-        self._sample: Optional[OdometrySample] = None
-        self._count = 0
-        self._subscriber = rospy.Subscriber("odom", Odometry, self._take, queue_size=1, tcp_nodelay=True)
-
-    @property
-    def topic(self) -> str:
-        """Resolved name of the topic."""
-        return self._subscriber.resolved_name
-
-    def _take(self, message: Odometry) -> None:
-        sample = sample_of(message)
-        if not sample.is_finite():
-            rospy.logerr_throttle(1.0, "odometry with numbers that are not finite on %s", self.topic)
-            return
-        with self._condition:
-            self._sample = sample
-            self._count += 1
-            self._condition.notify_all()
-
-    @property
-    def count(self) -> int:
-        """Number of usable samples so far."""
-        with self._condition:
-            return self._count
-
-    def wake(self) -> None:
-        """Wake all waiting threads."""
-        with self._condition:
-            self._condition.notify_all()
-
-    def wait_newer(self, *, than: int, timeout_s: float) -> Tuple[Optional[OdometrySample], int]:
-        """Wait for a sample that is newer than the ``than``-th one, or until the thread is woken.
-
-        Returns:
-            the sample, or None if none is newer; and the count of samples so far
-        """
-        with self._condition:
-            if self._count <= than:
-                self._condition.wait(timeout_s)
-            return (self._sample if self._count > than else None), self._count
-
-
 class Outcome(enum.Enum):
     """How a goal ends."""
 
@@ -274,6 +208,8 @@ class MoveActionServer:
         """How the node is."""
         if self._odometry.count == 0:
             return Health(Level.WARN, f"No odometry yet on {self._odometry.topic}: the base does not move without it.")
+        if self._odometry.latest() is None:
+            return Health(Level.ERROR, f"The numbers on {self._odometry.topic} are not finite: the base does not move.")
         return Health(values={"odometry messages": self._odometry.count})
 
     def _tune(self, settings: Settings) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import FrozenSet, Iterable, Optional, Tuple
 
 from phrase_meanings.meaning_file import shipped_meanings
-from spoken_quantities import find_number
+from spoken_quantities import find_whole_number
 from typed_arguments import Modifier
 from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import QUOTED, DependencyTree, Word
@@ -89,10 +89,8 @@ def _count(tree: DependencyTree, numeral: Word) -> Optional[int]:
 
 
 def _number(form: str) -> Optional[int]:
-    number = find_number(form)
-    if number is None:
-        return None
-    return int(number) if 0 <= number < 2**31 and number == int(number) else None
+    number = find_whole_number(form)
+    return number if number is not None and 0 <= number < 2**31 else None
 
 
 def _bound(tree: DependencyTree, numeral: Word) -> str:

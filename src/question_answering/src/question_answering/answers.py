@@ -19,6 +19,7 @@ from referring_expressions.describing import (
     plural_of,
 )
 from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative
+from roboframenet_ros.spoken_lists import join_with_and
 from semantic_types import spoken
 from typed_arguments import Modifier, TypedArgument
 from word_classes import word_class
@@ -56,9 +57,9 @@ def _of_somebody(mine: TypedArgument, known: RobotKnowledge) -> str:
     """Return where the things are one of which belongs to the person who speaks."""
     parts = []
     for one in fitting(mine, known.situation)[:MOST_NAMED]:
-        owners = _listed([name_of(owner) for owner in known.world.owners(one)]) or "somebody"
+        owners = join_with_and([name_of(owner) for owner in known.world.owners(one)]) or "somebody"
         parts.append(f"the {noun_of(one)} of {owners} is {place_of(one, known.world) or 'somewhere unknown'}")
-    return f"I do not know who you are. {_capital(_listed(parts))}."
+    return f"I do not know who you are. {_capital(join_with_and(parts))}."
 
 
 def _abilities(_: Arguments, known: RobotKnowledge) -> str:
@@ -67,7 +68,7 @@ def _abilities(_: Arguments, known: RobotKnowledge) -> str:
         return "I cannot do anything at the moment: nothing that acts is running."
     shown = [f'"{example}"' for example in examples[:MOST_NAMED]]
     more = f" I can do {known.ability_count} things in all." if known.ability_count > len(shown) else ""
-    return f"You can say, for example: {_listed(shown)}.{more}"
+    return f"You can say, for example: {join_with_and(shown)}.{more}"
 
 
 def _identity(_: Arguments, known: RobotKnowledge) -> str:
@@ -109,7 +110,8 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"{_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
     parts = [f"{'one' if not one.name else name_of(one)} is {place or 'somewhere unknown'}" for one, place in placed]
     known_of = f"I know of {len(found)} {_plural(theme, found)}: "
-    return f"{known_of}{_listed([_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts)])}."
+    named = join_with_and(_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts))
+    return f"{known_of}{named}."
 
 
 def _number(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -145,7 +147,7 @@ def _what_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     if not found:
         what = f"no {bare_noun(theme)}" if theme is not None else "nothing"
         return f"I know of {what} {location.words}."
-    return f"{_capital(location.words)} there {_is(found, noun_of(found[0]))} {_listed(_indefinite(found))}."
+    return f"{_capital(location.words)} there {_is(found, noun_of(found[0]))} {join_with_and(_indefinite(found))}."
 
 
 def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -156,7 +158,7 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     found = at_place(persons, location, known.situation)
     if not found:
         return f"I know of nobody {location.words}."
-    return f"{_capital(_listed(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
+    return f"{_capital(join_with_and(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
 
 
 def _state(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -188,7 +190,7 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
         return f'I do not know of any place "{arguments["location"].text}".'
     found = _at(arguments, candidates, known)
     if found:
-        names = _listed(_indefinite(found)) if not _is_definite(theme) else _called(theme, found[0])
+        names = join_with_and(_indefinite(found)) if not _is_definite(theme) else _called(theme, found[0])
         verb = _is(found, names)
         return f"Yes, {names} {verb}{where}." if where else f"Yes, I know of {names}."
     if not candidates:
@@ -234,10 +236,12 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     if place:
         facts.append(f"is {place}")
     if one.states:
-        facts.append(f"is {_listed(one.states)}")
+        facts.append(f"is {join_with_and(one.states)}")
     if one.attributes:
-        facts.append(f"is {_listed(one.attributes)}")
-    return f"Yes. {_capital(_called(theme, one))} {_listed(facts)}." if facts else f"Yes, I know {as_said(theme)}."
+        facts.append(f"is {join_with_and(one.attributes)}")
+    return (
+        f"Yes. {_capital(_called(theme, one))} {join_with_and(facts)}." if facts else f"Yes, I know {as_said(theme)}."
+    )
 
 
 def _which(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -255,7 +259,7 @@ def _which(arguments: Arguments, known: RobotKnowledge) -> str:
     if not candidates:
         return unknown_of(others)
     if not superlatives:
-        return f"I know of {_listed(_indefinite(candidates))}."
+        return f"I know of {join_with_and(_indefinite(candidates))}."
     found = fitting(theme, known.situation, is_wide=True)
     if not found:
         return f"I do not know which {bare_noun(others)} is the {superlatives[0].word.lower()}."
@@ -272,12 +276,14 @@ def _owner(arguments: Arguments, known: RobotKnowledge) -> str:
     if not any(persons for _, persons in owners):
         return f"I do not know whom {as_said(theme)} {'belongs' if len(found) == 1 else 'belong'} to."
     if len(found) == 1:
-        return f"{_capital(_called(theme, found[0]))} belongs to {_listed([name_of(one) for one in owners[0][1]])}."
+        return (
+            f"{_capital(_called(theme, found[0]))} belongs to {join_with_and([name_of(one) for one in owners[0][1]])}."
+        )
     parts = [
-        f"{_named(one)} to {_listed(list(map(name_of, persons))) or 'somebody whom I do not know'}"
+        f"{_named(one)} to {join_with_and(list(map(name_of, persons))) or 'somebody whom I do not know'}"
         for one, persons in owners[:MOST_NAMED]
     ]
-    return f"I know of {len(found)} {_plural(theme, found)}: {_listed(parts)}."
+    return f"I know of {len(found)} {_plural(theme, found)}: {join_with_and(parts)}."
 
 
 def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -290,12 +296,12 @@ def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
         called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
-        return f"{_capital(called)} {_is(found, called)} {_listed(colours[0])}."
+        return f"{_capital(called)} {_is(found, called)} {join_with_and(colours[0])}."
     parts = [
-        f"the one {place_of(one, known.world) or 'somewhere unknown'} is {_listed(words)}"
+        f"the one {place_of(one, known.world) or 'somewhere unknown'} is {join_with_and(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)
     ]
-    return f"I know of {len(found)} {_plural(theme, found)}: {_listed(parts)}."
+    return f"I know of {len(found)} {_plural(theme, found)}: {join_with_and(parts)}."
 
 
 def _speaker(_: Arguments, known: RobotKnowledge) -> str:
@@ -412,10 +418,6 @@ def _is(found: Sequence[WorldObject], noun: str) -> str:
 
 def _reported(one: WorldObject) -> str:
     return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
-
-
-def _listed(parts: Sequence[str]) -> str:
-    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
 def _capital(text: str) -> str:

@@ -60,7 +60,7 @@ class QuietActionServer(actionlib.ActionServer):
     #: Publishes a change that came too soon after the last message; None when there is none.
     _deferred: Optional[threading.Timer] = None
     _published_s = float("-inf")
-    #: The latest time that this server has seen.
+    #: ROS time at the last goal, cancel or check of the clock; an earlier time later means that the clock was set back.
     _seen = rospy.Time()
 
     def initialize(self) -> None:

@@ -19,7 +19,7 @@ _NO_HARDWARE = "none"
 
 
 class Diagnostics:
-    """Asks a node once a second how it is, and publishes that.
+    """Asks a node once a second how it is, and publishes that while somebody listens.
 
     The period is one of the wall clock: a node says how it is also while a simulation is paused.
     """
@@ -45,6 +45,8 @@ class Diagnostics:
 
     def _publish_on(self) -> None:
         while not self._is_closing.wait(_PERIOD_S):
+            if not self._updater.publisher.get_num_connections():
+                continue
             try:
                 self._updater.force_update()
             except rospy.ROSException:

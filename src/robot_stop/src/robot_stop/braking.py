@@ -5,8 +5,9 @@ Nothing here waits or publishes. The caller passes in what it observes and acts 
 
 import time
 from dataclasses import dataclass
-from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
+from typing import Callable, FrozenSet, List, Optional, Tuple
 
+from roboframenet_ros.spoken_lists import join_with_and
 from robot_stop.servers import Server, shown_names
 
 #: A goal that was stamped so soon after a stop may belong to a command from before it.
@@ -127,10 +128,10 @@ class Obedience:
         clauses = [f"{node} publishes velocities on {topic}" for node, topic in self.drivers]
         if self.servers:
             verb = "has not ended its goal" if len(self.servers) == 1 else "have not ended their goals"
-            clauses.append(f"{_listed(self.servers)} {verb}")
+            clauses.append(f"{join_with_and(self.servers)} {verb}")
         if not self.is_known:
             clauses.append("the graph of nodes could not be read")
-        return _listed(clauses)
+        return join_with_and(clauses)
 
 
 @dataclass(frozen=True)
@@ -264,7 +265,3 @@ class Braking:
 
 def _is_new(goal: LiveGoal, stop: _Active) -> bool:
     return goal.goal_id not in stop.old_ids and goal.stamp_ns > stop.order.stamp_ns + _RACE_NS
-
-
-def _listed(words: Sequence[str]) -> str:
-    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, unit_argument
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -25,7 +26,6 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
-    join_with_or,
 )
 from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading

@@ -2,8 +2,8 @@
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_framer.dialogue import is_yes
-from semantic_framer.outcome import join_with_or
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause, find_clauses

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Optional, Sequence, Tuple
 
-from spoken_quantities import find_number
+from spoken_quantities import find_whole_number
 from typed_arguments import TimeExpression
 from word_classes import word_class, word_list
 
@@ -204,10 +204,8 @@ def _spoken(forms: Sequence[str], clock: _Clock) -> _Part:
 
 
 def _number(word: str, most: int) -> Optional[int]:
-    number = find_number(word)
-    if number is None or number != int(number) or word in ("a", "an"):
-        return None
-    return int(number) if 0 <= number <= most else None
+    number = None if word in ("a", "an") else find_whole_number(word)
+    return number if number is not None and 0 <= number <= most else None
 
 
 def _half(forms: Sequence[str], clock: _Clock) -> _Part:

@@ -4,18 +4,16 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.extra_phrases import left_over_groups
+from semantic_framer.iterations import times_said
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import Quantity, SemanticFrame
-from spoken_quantities import find_number
 from typed_arguments import Measure, Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.measures import amounts_of
 from utterance_passes.tree import ASIDE
-from word_classes import word_class, word_list
+from word_classes import word_class
 
-#: A larger number of times is rather a word that was heard wrongly.
-MOST_TIMES = 100
 #: A clause goes on for a day at most, seconds.
 LONGEST_S = 86_400.0
 #: FrameNet's names of what goes on until somebody ends it. Other things are over when they are done: nobody opens a
@@ -25,8 +23,6 @@ GOING_ON = frozenset(
 )
 #: Units of what is filled in without being said.
 _UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
-_ADVERBS = word_list("iteration_adverbs")
-_NOUNS = word_class("iteration_nouns")
 _EXACT = word_class("exact_adverbs")
 _KEEPING = word_class("keeping_verbs")
 #: FrameNet's name of going somewhere, and its semantic type of places.
@@ -62,13 +58,10 @@ def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
     """Return how often some words say; 0 if they say something else."""
     forms = [sentence.word(index).form.lower() for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
     forms = [form for form in forms if form not in _EXACT]
-    if len(forms) == 1 and forms[0] in _ADVERBS:
-        return _ADVERBS.index(forms[0]) + 1
-    if len(forms) != 2 or forms[1] not in _NOUNS or sentence.word(root).form.lower() != forms[1]:
+    said = times_said(forms)
+    if said is None or said[1] != len(forms) or sentence.word(root).form.lower() != forms[-1]:
         return 0
-    number = find_number(forms[0])
-    is_count = number is not None and number == int(number) and 1 <= number <= MOST_TIMES
-    return int(number) if is_count and number is not None else 0
+    return said[0]
 
 
 def with_duration(

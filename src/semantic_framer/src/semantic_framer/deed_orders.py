@@ -7,15 +7,13 @@
 from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.iterations import times_said
 from semantic_framer.link_file import LinkKind, shipped_links
-from spoken_quantities import find_number
 from utterance_passes.tree import Word
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 _HEARERS = word_class("hearers")
 _HAVE = word_class("forms_of_have") | {"having"}
-_ADVERBS = word_list("iteration_adverbs")
-_NOUNS = word_class("iteration_nouns")
 _NEGATIONS = word_class("negations")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
@@ -23,8 +21,6 @@ _JOINING = word_class("clause_borders") | {","}
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
-#: A larger number of times is rather a word that was heard wrongly.
-_MOST_TIMES = 100
 #: The longest phrase that names a thing, in words.
 _LONGEST_PHRASE = 5
 
@@ -95,17 +91,8 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
 def times_at(forms: Sequence[str]) -> Optional[Times]:
     """Return the least or the largest number of times that words in lower case begin with: "at least twice"."""
     link, place = shipped_links().count_at(forms)
-    rest = list(forms[place : place + 2])
-    if link is None or not rest:
-        return None
-    if rest[0] in _ADVERBS:
-        return Times(link.kind, _ADVERBS.index(rest[0]) + 1, place + 1)
-    if len(rest) < 2 or rest[1] not in _NOUNS:
-        return None
-    number = find_number(rest[0])
-    if number is None or number != int(number) or not 1 <= number <= _MOST_TIMES:
-        return None
-    return Times(link.kind, int(number), place + 2)
+    said = times_said(forms[place:]) if link is not None else None
+    return Times(link.kind, said[0], place + said[1]) if link is not None and said is not None else None
 
 
 def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:

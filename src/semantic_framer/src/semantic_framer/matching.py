@@ -233,8 +233,7 @@ class _Filling:
         """Whether a word is part of a measure ("two degrees"), not a thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
             head in amount.positions and (amount.unit or self._is_end(amount, head))
-            for amount in self._amounts
-            if not measures_as_in_2012(self._unit)
+            for amount in ([] if measures_as_in_2012(self._unit) else self._amounts)
         )
 
     def _is_end(self, amount: Amount, head: int) -> bool:

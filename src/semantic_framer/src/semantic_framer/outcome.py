@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Iterable, Optional, Sequence, Tuple, Union
 
+from roboframenet_ros.spoken_lists import join_with_and
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -105,16 +106,6 @@ Outcome = Union[Understood, Refusal, Question]
 def reply_outcome(of: Union[Refusal, Question]) -> str:
     """Return the name of the constant of ``Reply`` for a command that ends in the framer."""
     return "REFUSED" if isinstance(of, Refusal) else "NEEDS_INFORMATION"
-
-
-def join_with_or(options: Sequence[str]) -> str:
-    """Join options the way a person lists them: "a, b or c"."""
-    return " or ".join(filter(None, (", ".join(options[:-1]), *options[-1:])))
-
-
-def join_with_and(parts: Sequence[str]) -> str:
-    """Join parts the way a person lists them: "a, b and c"."""
-    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
 def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Sequence[TypedArgument] = ()) -> Refusal:

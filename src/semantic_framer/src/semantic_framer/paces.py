@@ -42,7 +42,7 @@ def pace_element(frame: SemanticFrame, heeded: Optional[FrameHeeding], pace: str
     """
     if pace in (LOUDER, QUIETER):
         # Only what is said can be said louder, and only by a server that knows the word.
-        is_said = any(element.framenet == MESSAGE for element in frame.frame_elements)
+        is_said = MESSAGE in frame.roles
         way = TypedArgument(_INHERITED.lower(), pace, head=pace, lemma=pace)
         is_heeded = heeded is not None and _INHERITED in heeded and heeded[_INHERITED].fits(way)
         return way.name if is_said and is_heeded else ""

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple, Union
 
 from referring_expressions import unknown_of
+from roboframenet_ros.spoken_lists import join_with_and, join_with_or
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
@@ -21,8 +22,6 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
-    join_with_and,
-    join_with_or,
     left_over_refusal,
 )
 from semantic_framer.reading import Reading

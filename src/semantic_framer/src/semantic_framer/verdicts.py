@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
+from roboframenet_ros.spoken_lists import join_with_or
 from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
@@ -14,7 +15,6 @@ from semantic_framer.outcome import (
     LeftOverWords,
     Policy,
     Refusal,
-    join_with_or,
     left_over_refusal,
     not_then,
     not_to_be_done,

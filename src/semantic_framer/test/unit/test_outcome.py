@@ -1,10 +1,6 @@
 """Sentences of refusals and questions read as a person would write them."""
 
-from typing import List
-
-import pytest
-
-from semantic_framer.outcome import join_with_or, left_over_refusal
+from semantic_framer.outcome import left_over_refusal
 from semantic_framer.sentence import Sentence
 from utterance_passes.conllu import from_conllu
 
@@ -23,8 +19,3 @@ def test_left_over_words_are_quoted_without_punctuation() -> None:
     refusal = left_over_refusal(Sentence(from_conllu(PING_SIDEWAYS + "\n\n")), [2, 3, 4])
     assert refusal.left_over == ("sideways",)
     assert refusal.sentence.startswith('I do not understand "sideways" in ')
-
-
-@pytest.mark.parametrize("options, listed", [(["a"], "a"), (["a", "b"], "a or b"), (["a", "b", "c"], "a, b or c")])
-def test_options_are_listed_with_one_or(options: List[str], listed: str) -> None:
-    assert join_with_or(options) == listed

@@ -67,7 +67,8 @@ def _synsets(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Map
             if synset is None:
                 continue
             if name in found.setdefault(synset, []):
-                reader.report("DUPLICATE_SYNSET", item, key, f"a second '{describe(item)}'", "each synset once")
+                found_again = f"a second '{describe(entry['synset'])}'"
+                reader.report("DUPLICATE_SYNSET", item, key, found_again, "each synset once")
             found[synset].append(name)
     return found
 

@@ -123,3 +123,10 @@ def test_a_mistake_in_the_file_has_its_line_and_key(text, code, key):
     assert problem.line == text.count("\n") + 1
     assert problem.found
     assert problem.expected
+
+
+def test_a_synset_that_is_named_twice_is_told_by_its_name():
+    text = "synsets: {Human: [person.n.01, {synset: person.n.01, because: x}]}"
+    with pytest.raises(FileRefused) as refused:
+        load_noun_file(text, "nouns.yaml", shipped_wordnet())
+    assert "person.n.01" in refused.value.problems[0].found

@@ -1,7 +1,7 @@
 """Reads numbers, lengths, angles and durations in English words, and converts them to SI units."""
 
 from spoken_quantities.measure import Measure, parse_measure
-from spoken_quantities.numbers import QuantityError, find_number, number_words, parse_number
+from spoken_quantities.numbers import QuantityError, find_number, find_whole_number, number_words, parse_number
 from spoken_quantities.units import Unit, find_unit, unit_words, units_of
 
 __all__ = [
@@ -10,6 +10,7 @@ __all__ = [
     "Unit",
     "find_number",
     "find_unit",
+    "find_whole_number",
     "number_words",
     "parse_measure",
     "parse_number",

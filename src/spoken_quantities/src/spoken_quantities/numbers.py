@@ -104,6 +104,12 @@ def find_number(text: str) -> Optional[float]:
     return value if value is not None and math.isfinite(value) else None
 
 
+def find_whole_number(text: str) -> Optional[int]:
+    """Return the number that :func:`find_number` finds if it is a whole one; None otherwise."""
+    number = find_number(text)
+    return int(number) if number is not None and number.is_integer() else None
+
+
 def _value(text: str) -> Optional[float]:
     # Most words of a sentence are asked, and few are numbers.
     if text.isalpha() and text.lower() not in _WHOLE_NUMBERS:

@@ -10,6 +10,7 @@ from spoken_quantities import (
     QuantityError,
     find_number,
     find_unit,
+    find_whole_number,
     number_words,
     parse_measure,
     parse_number,
@@ -114,6 +115,13 @@ def test_every_number_below_ten_thousand_in_words() -> None:
 def test_parse_number(text: str, number: float) -> None:
     assert parse_number(text) == pytest.approx(number)
     assert find_number(text) == parse_number(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"), [("twelve", 12), ("-3", -3), ("2.5", None), ("many", None), ("1e999", None)]
+)
+def test_whole_numbers(text, number):
+    assert find_whole_number(text) == number
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,6 @@ _ALL = word_class("words_for_all")
 _CONTRASTS = word_class("contrasts")
 _EXCEPTIONS = word_class("exceptions_of_all")
 _GOING = word_class("verbs_of_going")
-
 _HANDS = word_class("hands")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOT = word_class("not")

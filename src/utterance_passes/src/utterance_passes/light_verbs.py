@@ -6,7 +6,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _WISH = "want"
-_WASH = "wash"
+_MAKE, _WASH = "make", "wash"
 _WASHED = word_class("washed_things_done")
 #: "Can I have ...", "could we get ...".
 _ASKED_FOR = frozenset(["have", "get"])
@@ -25,10 +25,10 @@ def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     edit = TreeEdit(tree)
     for word in tree.words:
         lemma = word.lemma.lower()
-        if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
-            edit.respell(word.index, "make")
-        elif lemma == "do" and word.upos == "VERB" and _is_washed(tree, word, vocabulary):
-            edit.respell(word.index, _WASH)
+        if lemma == "do" and word.upos == "VERB":
+            meant = _verb_of_done(tree, word, vocabulary)
+            if meant:
+                edit.respell(word.index, meant)
         elif (
             lemma in _ASKED_FOR | _WISHING_VERBS
             and _WISH in vocabulary.verbs_beginning_with(_WISH)
@@ -38,18 +38,14 @@ def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     return edit.tree()
 
 
-def _is_made(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
-    made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with("make")).union(
-        *vocabulary.lists_of("make")
-    )
-    return any(child.deprel == "obj" and child.form.lower() in made for child in tree.children(word.index))
-
-
-def _is_washed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
-    """Whether what is done is washed: "do the dishes"."""
-    objects = [child for child in tree.children(word.index) if child.deprel == "obj"]
-    is_washed = any(child.form.lower() in _WASHED for child in objects)
-    return is_washed and _WASH in vocabulary.verbs_beginning_with(_WASH)
+def _verb_of_done(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> str:
+    """Return the verb for what is done: "make" for a u-turn, "wash" for the dishes; empty if there is none."""
+    done = frozenset(child.form.lower() for child in tree.children(word.index) if child.deprel == "obj")
+    made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with(_MAKE))
+    if not done.isdisjoint(made.union(*vocabulary.lists_of(_MAKE))):
+        return _MAKE
+    is_washed = not done.isdisjoint(_WASHED) and _WASH in vocabulary.verbs_beginning_with(_WASH)
+    return _WASH if is_washed else ""
 
 
 def _is_wish(tree: DependencyTree, word: Word) -> bool:

@@ -72,7 +72,7 @@ class StopSpotter:
             return False
         if spoken_s > SLOWEST_S + SLOWEST_WORD_S * MOST_WORDS:
             # In the search for noise, stops are so likely that some seconds of talk may be nothing else.
-            return is_cry(self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words, spoken_s)
+            return is_repeated_stop(self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words, spoken_s)
         if clearness_db >= CLEAR_DB:
             words = self._words(_CLEAR_SEARCH, pcm, spoken_s)
             return is_stop(" ".join(words))
@@ -124,7 +124,7 @@ def clearness_and_length(pcm: bytes) -> Tuple[float, float]:
     return float(voice_db - noise_db), float(length_s)
 
 
-def is_cry(words: Words, spoken_s: float) -> bool:
+def is_repeated_stop(words: Words, spoken_s: float) -> bool:
     """Whether words are nothing but a stop, again and again: "Stop! Stop! Stop!".
 
     Args:

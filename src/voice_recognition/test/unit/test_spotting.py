@@ -15,8 +15,8 @@ from voice_recognition.spotting import (
     LONGEST_S,
     StopSpotter,
     clearness_and_length,
-    is_cry,
     is_heard_stop,
+    is_repeated_stop,
     says_stop,
 )
 
@@ -84,7 +84,7 @@ def test_a_cry_is_a_stop_though_it_is_long(
     ],
 )
 def test_a_cry_is_nothing_but_a_word_that_stops(words: str, spoken_s: float, is_one: bool) -> None:
-    assert is_cry(tuple(words.split()), spoken_s) is is_one
+    assert is_repeated_stop(tuple(words.split()), spoken_s) is is_one
 
 
 @pytest.mark.parametrize(
