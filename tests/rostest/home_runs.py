@@ -40,7 +40,6 @@ class RosRuns:
         self._speaker = speaker
         self._lock = threading.Lock()
         self._truth: Dict[str, Any] = {}
-        self._times = 0
         self._events: Dict[Tuple[float, str, str], Dict[str, Any]] = {}
         self._reasons: List[str] = []
         self._arrange = rospy.Publisher("home/arrange", String, queue_size=5)
@@ -56,7 +55,7 @@ class RosRuns:
     def _on_truth(self, message: String) -> None:
         found = json.loads(message.data)
         with self._lock:
-            self._truth, self._times = found["truth"], found["arranged"]
+            self._truth = found["truth"]
             for event in found["events"]:
                 self._events.setdefault((event["time_s"], event["who"], event["what"]), event)
 
@@ -107,7 +106,7 @@ class RosRuns:
 
     def _arranged_times(self) -> int:
         with self._lock:
-            return self._times
+            return int(self._truth.get("home.arranged", 0))
 
     def _watch(self, walk: Walk) -> None:
         while not walk.has_ended and not rospy.is_shutdown():

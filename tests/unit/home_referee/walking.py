@@ -21,9 +21,11 @@ class Walk:
         form = command.form.arguments[0] if command.form.predicate == "sequence" else command.form
         is_followed = getattr(form, "predicate", "") == "follow"
         self.person = form.persons[0].name if is_followed else ""
-        self._goal = command.destination
+        #: Where somebody is followed to: nobody goes elsewhere.
+        ends = [one for one in form.arguments[1:] if isinstance(one, str)] if is_followed else []
+        self._goal = command.destination or next(iter(ends), "")
         #: Whether the robot follows to a goal of its own knowledge; otherwise whoever is followed ends it.
-        self._has_goal = bool(command.destination) or command.form.predicate == "sequence"
+        self._has_goal = bool(self._goal) or command.form.predicate == "sequence"
         self._is_part = command.form.predicate == "sequence"
         self._waits = _WAITS
         self._has_begun = False

@@ -141,9 +141,8 @@ class HomeSim:
                 robot.rain(is_raining=is_raining)
         self._is_raining = is_raining
         if self._robots[0].is_due("truth", _TRUTH_S, stamp):
-            facts = {**truth_of(plan, state), "weather.is_raining": is_raining}
-            events = [asdict(event) for event in state.events[-20:]]
-            truth = json.dumps({"truth": facts, "events": events, "arranged": arranged_times})
+            facts = {**truth_of(plan, state), "weather.is_raining": is_raining, "home.arranged": arranged_times}
+            truth = json.dumps({"truth": facts, "events": [asdict(event) for event in state.events[-20:]]})
             if truth != self._last_truth:
                 self._last_truth = truth
                 publish(self._truth, String(data=truth))
