@@ -12,12 +12,21 @@ import io
 import time
 from typing import Sequence, Tuple
 
-from roboframenet_msgs.msg import Fleet, FleetMember, FrameCallback, FrameServers, HeededElement, ServerProfile
+from roboframenet_msgs.msg import (
+    Fleet,
+    FleetMember,
+    FleetRobot,
+    FleetService,
+    FrameCallback,
+    FrameServers,
+    HeededElement,
+    ServerProfile,
+)
 
 SIZES = (1, 10, 100, 1000, 10_000)
-#: Signs of life of a robot, and of the service, a second.
+#: Signs of life a second: of a robot, and of the service, which goes to each robot. The list goes out on changes only.
 SIGNS_PER_S = 2.0
-LISTS_PER_S = 1.0
+SERVICE_SIGNS_PER_S = 1.0
 #: Stage events and messages from one stage to the next, of a command with one clause.
 MESSAGES_PER_COMMAND = 16
 
@@ -54,12 +63,15 @@ def main() -> None:
     parser.add_argument("--commands-per-hour", type=float, default=60.0, help="for each robot")
     arguments = parser.parse_args()
     print("robots registrations snapshot_kB snapshot_ms list_kB list_ms", end=" ")
-    print("lists_MB_per_s signs_per_s commands_per_s parser_share")
+    print("list_to_all_MB signs_per_s signs_kB_per_s commands_per_s parser_share")
     for count in SIZES:
         names = [f"robot_{number}" for number in range(count)]
         callbacks = [one for name in names for one in servers_of(name, arguments.servers)]
         snapshot, snapshot_s = size_and_time(FrameServers(registrar_id="0" * 32, callbacks=callbacks))
-        fleet, fleet_s = size_and_time(Fleet(members=[FleetMember(name=name, on_loss="finish") for name in names]))
+        fleet, fleet_s = size_and_time(Fleet(robots=[FleetRobot(name=name) for name in names]))
+        sign, _ = size_and_time(FleetMember(name=names[-1], on_loss="finish"))
+        service_sign, _ = size_and_time(FleetService(is_up=True))
+        signs_bytes = SIGNS_PER_S * sign + SERVICE_SIGNS_PER_S * service_sign
         commands_per_s = count * arguments.commands_per_hour / 3600.0
         print(
             count,
@@ -68,8 +80,9 @@ def main() -> None:
             f"{1e3 * snapshot_s:.2f}",
             f"{fleet / 1e3:.1f}",
             f"{1e3 * fleet_s:.2f}",
-            f"{LISTS_PER_S * count * fleet / 1e6:.2f}",
+            f"{count * fleet / 1e6:.4g}",
             f"{SIGNS_PER_S * count:.0f}",
+            f"{count * signs_bytes / 1e3:.1f}",
             f"{commands_per_s:.2f}",
             f"{commands_per_s * arguments.parse_ms / 1e3:.3f}",
         )

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sys
 import uuid
 from pathlib import Path
 from types import TracebackType
@@ -10,6 +11,7 @@ from typing import Dict, List, Mapping, Optional, Sequence, Type
 
 _COMMAND_TIMEOUT_S = 10.0
 _END_TIMEOUT_S = 30.0
+_BAD_CABLE = str(Path(__file__).with_name("bad_cable.py"))
 
 
 class NotPossible(Exception):
@@ -35,6 +37,7 @@ class Machines:
         self._cables = {name: f"rfn{tag}{number}" for number, name in enumerate(names)}
         self._switch = f"rfn{tag}sw"
         self._processes: List[subprocess.Popen[str]] = []
+        self._bad_cables: Dict[str, subprocess.Popen[bytes]] = {}
         try:
             _ip("link", "add", self._switch, "type", "bridge")
             _ip("link", "set", self._switch, "up")
@@ -92,16 +95,49 @@ class Machines:
         _ip("link", "set", self._cables[machine], "up")
 
     def impair(self, machine: str, *, delay_ms: int, loss_percent: int) -> None:
-        """Make the cable of a machine slow and unreliable, in the direction to it.
+        """Make the cable of a machine slow and unreliable, in the direction to it, until it is mended.
+
+        The kernel does it, or a process where the kernel has no network emulation.
 
         Raises:
-            NotPossible: the kernel has no network emulation
+            NotPossible: neither can
         """
         netem = ("netem", "delay", f"{delay_ms}ms", "loss", f"{loss_percent}%")
-        _run("tc", "qdisc", "replace", "dev", self._cables[machine], "root", *netem)
+        try:
+            _run("tc", "qdisc", "replace", "dev", self._cables[machine], "root", *netem)
+        except NotPossible:
+            self._impair_by_process(machine, delay_ms, loss_percent)
+
+    def _impair_by_process(self, machine: str, delay_ms: int, loss_percent: int) -> None:
+        """Put a process between the switch and the cable."""
+        cable, near, far = self._cables[machine], f"{self._cables[machine]}n", f"{self._cables[machine]}f"
+        _ip("link", "add", far, "type", "veth", "peer", "name", near)
+        for interface in (near, far):
+            _run(sys.executable, _BAD_CABLE, "--without-offloads", interface)
+            _ip("link", "set", interface, "up")
+        # Frames from other machines must be finished as well.
+        for space in self._spaces.values():
+            _run("ip", "netns", "exec", space, sys.executable, _BAD_CABLE, "--without-offloads", "eth0")
+        _ip("link", "set", cable, "nomaster")
+        _ip("link", "set", far, "master", self._switch)
+        command = [sys.executable, _BAD_CABLE, near, cable, str(delay_ms), str(loss_percent)]
+        self._bad_cables[machine] = subprocess.Popen(command, start_new_session=True)
+
+    def mend(self, machine: str) -> None:
+        """End what :meth:`impair` did."""
+        process = self._bad_cables.pop(machine, None)
+        if process is None:
+            _run("tc", "qdisc", "del", "dev", self._cables[machine], "root")
+            return
+        process.kill()
+        process.wait(_END_TIMEOUT_S)
+        _ip("link", "del", f"{self._cables[machine]}f")
+        _ip("link", "set", self._cables[machine], "master", self._switch)
 
     def close(self) -> None:
         """End all programs, and remove the machines."""
+        for machine in tuple(self._bad_cables):
+            self.mend(machine)
         for process in reversed(self._processes):
             if process.poll() is None:
                 process.terminate()

@@ -8,10 +8,11 @@ import json
 import sys
 import threading
 import time
+from typing import List
 
 import rospy
 from nav_msgs.msg import Odometry
-from roboframenet_msgs.msg import Fleet, Reply, TriedFrame
+from roboframenet_msgs.msg import Fleet, FleetService, Reply, TriedFrame
 from std_msgs.msg import String
 
 #: Radians a second; slower is standing.
@@ -24,11 +25,14 @@ class Witness:
     def __init__(self, robot: str) -> None:
         self._lock = threading.Lock()
         self._members: object = None
+        self._names: List[str] = []
+        self._is_up = False
         self._moves: object = None
         self.text = rospy.Publisher("text", String, queue_size=10)
         self.subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply, queue_size=100),
             rospy.Subscriber("fleet", Fleet, self._hear_fleet, queue_size=10),
+            rospy.Subscriber("fleet_service", FleetService, self._hear_service, queue_size=10),
             rospy.Subscriber(f"{robot}/tried_frames", TriedFrame, self._hear_tried, queue_size=100),
             rospy.Subscriber(f"{robot}/odom", Odometry, self._hear_odometry, queue_size=1),
         ]
@@ -42,7 +46,15 @@ class Witness:
         self.tell(reply=reply.command.text, code=reply.code, sentence=reply.sentence)
 
     def _hear_fleet(self, fleet: Fleet) -> None:
-        members = [member.name for member in fleet.members] if fleet.is_service_up else []
+        self._names = [robot.name for robot in fleet.robots]
+        self._tell_members()
+
+    def _hear_service(self, service: FleetService) -> None:
+        self._is_up = service.is_up
+        self._tell_members()
+
+    def _tell_members(self) -> None:
+        members = self._names if self._is_up else []
         if members != self._members:
             self._members = members
             self.tell(members=members)

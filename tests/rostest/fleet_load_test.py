@@ -14,7 +14,7 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, Fleet, FrameServers, Reply
+from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, Fleet, FleetService, FrameServers, Reply
 from std_msgs.msg import String
 
 from roboframenet_testing import comes_true, wait_until
@@ -92,12 +92,13 @@ class FleetLoadTest(unittest.TestCase):
         rospy.init_node("fleet_load_test")
         names = rospy.get_param("~robots").split(",")
         cls.robots = [Robot(name) for name in names]
-        cls.fleet, cls.servers = Fleet(), FrameServers()
+        cls.fleet, cls.service, cls.servers = Fleet(), FleetService(), FrameServers()
         cls.subscribers = [
             rospy.Subscriber("/fleet", Fleet, cls.hear_fleet),
+            rospy.Subscriber("/fleet_service", FleetService, cls.hear_service),
             rospy.Subscriber("/frame_servers", FrameServers, cls.hear_servers),
         ]
-        wait_until(lambda: len(cls.fleet.members) == len(names) and cls.fleet.is_service_up, _READY_S)
+        wait_until(lambda: len(cls.fleet.robots) == len(names) and cls.service.is_up, _READY_S)
         wait_until(lambda: set(names) <= cls.turning(), _READY_S)
         wait_until(lambda: all(robot.is_connected() for robot in cls.robots), _READY_S)
         for robot in cls.robots:
@@ -107,6 +108,10 @@ class FleetLoadTest(unittest.TestCase):
     @classmethod
     def hear_fleet(cls, message: Fleet) -> None:
         cls.fleet = message
+
+    @classmethod
+    def hear_service(cls, message: FleetService) -> None:
+        cls.service = message
 
     @classmethod
     def hear_servers(cls, message: FrameServers) -> None:

@@ -12,7 +12,7 @@ from xmlrpc.client import ServerProxy
 import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
-from roboframenet_msgs.msg import Fleet, FrameServers, Reply
+from roboframenet_msgs.msg import Fleet, FleetService, FrameServers, Reply
 from std_msgs.msg import String
 
 from roboframenet_testing import comes_true, wait_until
@@ -42,6 +42,7 @@ class Robots:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self.fleet = Fleet()
+        self.service = FleetService()
         self.seen: Dict[str, Seen] = {robot: Seen() for robot in ROBOTS}
         self.replies: List[Reply] = []
         self._servers = FrameServers()
@@ -49,6 +50,7 @@ class Robots:
         self._texts[""] = rospy.Publisher("text", String, queue_size=10)
         self._subscribers = [
             rospy.Subscriber("fleet", Fleet, self._hear_fleet, queue_size=1),
+            rospy.Subscriber("fleet_service", FleetService, self._hear_service, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._hear_servers, queue_size=1),
             rospy.Subscriber("reply", Reply, self.replies.append, queue_size=100),
         ]
@@ -60,6 +62,9 @@ class Robots:
 
     def _hear_fleet(self, message: Fleet) -> None:
         self.fleet = message
+
+    def _hear_service(self, message: FleetService) -> None:
+        self.service = message
 
     def _hear_servers(self, message: FrameServers) -> None:
         self._servers = message
@@ -75,12 +80,12 @@ class Robots:
 
     def members(self) -> Tuple[str, ...]:
         """The robots that take part."""
-        return tuple(member.name for member in self.fleet.members)
+        return tuple(robot.name for robot in self.fleet.robots)
 
     def wait_until_ready(self, frames: Tuple[str, ...] = ("turning", "moving_forward")) -> None:
         """Return when all robots take part, their servers are registered, and the parser runs."""
         wanted = {(robot, frame) for robot in ROBOTS for frame in frames}
-        wait_until(lambda: self.members() == ROBOTS and self.fleet.is_service_up, _WAIT_S)
+        wait_until(lambda: self.members() == ROBOTS and self.service.is_up, _WAIT_S)
         wait_until(lambda: wanted <= {(one.profile.robot, one.frame_name) for one in self._servers.callbacks}, _WAIT_S)
         # stop_server and fleet must hear what is said.
         wait_until(lambda: self._texts[""].get_num_connections() >= 1 + len(ROBOTS), _WAIT_S)

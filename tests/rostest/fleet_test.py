@@ -82,6 +82,17 @@ class FleetTest(unittest.TestCase):
         self.robots.ask("Beta, forget the bell.")
         answer = waits_for("Everybody, what are you waiting for?")
         self.assertEqual(answer, "Alpha, Beta and Gamma: I have no standing order.")
+        # What Alpha is to pass on waits for the bell with Beta, and is answered when it is done.
+        text = "Alpha, when the bell rings, tell Beta to turn left 20 degrees."
+        before, replies = self.robots.turned(), len(self.robots.replies)
+        self.robots.say(text)
+
+        def has_turned() -> bool:
+            bell.publish(Header(stamp=rospy.Time.now()))
+            return self.robots.who_moved(before) == ("beta",)
+
+        wait_until(has_turned)
+        wait_until(lambda: [reply.code for reply in self.robots.replies[replies:]] == ["DONE"])
 
     def test_5_a_robot_that_dies_has_left(self) -> None:
         kill("gamma/robot")
@@ -91,10 +102,13 @@ class FleetTest(unittest.TestCase):
         self.assert_moves("Both of you, turn left 20 degrees.", "alpha", "beta")
 
     def test_6_without_the_service_each_robot_follows_its_policy(self) -> None:
-        """Alpha is to stop, beta to finish: see fleet.test."""
+        """Alpha is to stop and go home, beta to finish: see fleet.test."""
         self.robots.say("Everybody, turn left 3600 degrees.")
         wait_until(lambda: all(self.robots.seen[robot].speed > 0.1 for robot in ("alpha", "beta")))
         kill("fleet")
+        self.assertTrue(self.robots.stand(("alpha",), 30.0))
+        stood = self.robots.turned()
+        wait_until(lambda: "alpha" in self.robots.who_moved(stood))
         self.assertTrue(self.robots.stand(("alpha",), 30.0))
         self.assertGreater(self.robots.seen["beta"].speed, 0.1)
         self.robots.say("Stop.")

@@ -1,7 +1,7 @@
 """What the policy `learned` is worth: on simulated servers it fails nearly as seldom as an oracle."""
 
 import pytest
-from learned_policies.comparison import COMMANDS, DRIFTS, RECOVERY, Learned, compare, run
+from learned_policies.comparison import DRIFTS, RECOVERY, Learned, above_oracle, compare, run, still_asked
 from learned_policies.simulation import FRAMES, SERVERS, Home
 
 
@@ -40,14 +40,10 @@ def test_learned_fails_less_often_than_counts_and_the_order_of_the_registrar(few
 
 
 @pytest.mark.acceptance
-def test_learned_fails_at_most_a_fifth_more_often_than_an_oracle() -> None:
+def test_learned_fails_at_most_15_percent_more_often_than_an_oracle_and_recovers_from_drift() -> None:
     results = compare(range(20), ["counts", "in_order", "learned", "oracle"])
-    assert total(results, "learned") <= 1.2 * total(results, "oracle")
+    assert above_oracle(results, "learned")[0] <= 0.15
     assert total(results, "learned") < 0.85 * total(results, "counts")
-    # Recovered after a drift: the commands behind the window, until the next drift.
-    for drift in DRIFTS:
-        after = [
-            sum(result.between(drift + RECOVERY, min(drift + 300, COMMANDS)) for result in results[name])
-            for name in ("learned", "oracle")
-        ]
-        assert after[0] <= 1.3 * after[1]
+    assert total(results, "learned") < 0.7 * total(results, "in_order")
+    # What has broken is asked first no more, though each frame was asked only five times in the window of 30 commands.
+    assert still_asked(results, "learned", RECOVERY, 2 * RECOVERY)[0] < 0.2

@@ -5,7 +5,7 @@ import statistics
 import time
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from arbitrator.plan import Candidate
 from arbitrator.policy import LearnedPolicy, Policy, load_policy, order
@@ -18,6 +18,8 @@ from .simulation import COMMANDS, DRIFTS, Home, Request
 
 #: Commands after a drift that are counted apart.
 RECOVERY = 30
+#: Commands after a drift in which failures are counted together; the first three are the window of recovery.
+AFTER_DRIFT = ((0, 10), (10, 20), (20, RECOVERY), (RECOVERY, 60), (60, 150), (150, 300))
 #: The first command that counts for the comparison; before, everybody learns.
 LEARNED_FROM = 300
 #: Frames of the simulation of which another server may be tried than the likeliest.
@@ -114,11 +116,15 @@ class Result:
         failures: of each command: goals that failed
         seconds: of each command
         ordering_s: processor time of each ordering
+        first: what was tried first: frames with their servers
+        broken: by drift: the frames with the servers that broke
     """
 
     failures: List[int] = field(default_factory=list)
     seconds: List[float] = field(default_factory=list)
     ordering_s: List[float] = field(default_factory=list)
+    first: List[Tuple[Tuple[str, str], ...]] = field(default_factory=list)
+    broken: Dict[int, FrozenSet[Tuple[str, str]]] = field(default_factory=dict)
 
     @property
     def steady(self) -> int:
@@ -136,12 +142,13 @@ class Result:
 
 def run(home: Home, chooser: Chooser, *, commands: int = COMMANDS) -> Result:
     """Carry out the commands of a home by a policy: a candidate that fails is followed by the next."""
-    result = Result()
+    result = Result(broken={drift: home.broken(drift) for drift in DRIFTS})
     for request in home.requests[:commands]:
         candidates = home.candidates(request)
         began_s = time.thread_time()
         ordered = chooser.choose(request, candidates)
         result.ordering_s.append(time.thread_time() - began_s)
+        result.first.append(tuple((frame.name, frame.server) for frame in ordered[0].frames))
         failures, seconds = 0, 0.0
         tries: Dict[Tuple[str, str], int] = Counter()
         for candidate in ordered:
@@ -182,6 +189,64 @@ def interval(values: Sequence[float]) -> Tuple[float, float]:
     chance = random.Random(0)
     means = sorted(statistics.fmean(chance.choices(values, k=len(values))) for _ in range(2000))
     return statistics.fmean(values), (means[1949] - means[50]) / 2.0
+
+
+def above_oracle(results: Dict[str, List[Result]], name: str) -> Tuple[float, Tuple[float, float]]:
+    """Return the steady failures of a policy above the oracle's, as a share, with the 95 % interval of other seeds.
+
+    The means of the seeds are compared, so a seed counts by its failures.
+    """
+    pairs = [(one.steady, other.steady) for one, other in zip(results[name], results["oracle"])]
+    chance = random.Random(0)
+    resampled = sorted(_ratio(chance.choices(pairs, k=len(pairs))) for _ in range(2000))
+    return _ratio(pairs) - 1.0, (resampled[50] - 1.0, resampled[1949] - 1.0)
+
+
+def _ratio(pairs: Sequence[Tuple[int, int]]) -> float:
+    return sum(one for one, _ in pairs) / sum(other for _, other in pairs)
+
+
+def recovery(results: Dict[str, List[Result]], name: str) -> str:
+    """Return how many more failures than the oracle a policy has before and after a drift, as Markdown."""
+    before = [
+        (f"the {RECOVERY} before", [(drift - RECOVERY, drift) for drift in DRIFTS]),
+        *((f"{first + 1} to {end}", [(drift + first, drift + end) for drift in DRIFTS]) for first, end in AFTER_DRIFT),
+    ]
+    lines = ["| commands after a drift | failures above the oracle's, for 100 commands |", "| --- | --- |"]
+    for title, intervals in before:
+        extra = [
+            100.0 * sum(one.between(*each) - other.between(*each) for each in intervals) / _length(intervals)
+            for one, other in zip(results[name], results["oracle"])
+        ]
+        lines.append("| {} | {:+.1f} ± {:.1f} |".format(title, *interval(extra)))
+    return "\n".join(lines)
+
+
+def still_asked(results: Dict[str, List[Result]], name: str, first: int, end: int) -> Tuple[float, float]:
+    """Return how often a server that has broken is still asked first, some commands after the drift.
+
+    Args:
+        results: of each policy
+        name: of the policy
+        first: commands after the drift, the first that counts
+        end: the first that does not
+    Returns:
+        the share of the commands of frames whose best server has broken, and half of its 95 % interval
+    """
+    shares = []
+    for one in results[name]:
+        asked = [
+            any(pair in broken for pair in one.first[number])
+            for drift, broken in one.broken.items()
+            for number in range(drift + first, drift + end)
+            if {pair[0] for pair in one.first[number]} & {frame for frame, _ in broken}
+        ]
+        shares.append(sum(asked) / len(asked))
+    return interval(shares)
+
+
+def _length(intervals: Sequence[Tuple[int, int]]) -> int:
+    return sum(end - first for first, end in intervals)
 
 
 def table(results: Dict[str, List[Result]]) -> str:

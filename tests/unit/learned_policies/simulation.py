@@ -6,7 +6,7 @@ all policies: they differ only by their orders. The numbers were chosen once, be
 
 import random
 from dataclasses import dataclass
-from typing import Dict, List, Tuple
+from typing import Dict, FrozenSet, List, Tuple
 
 from arbitrator.plan import Candidate
 from typed_arguments import FilledFrame, TypedArgument
@@ -20,6 +20,8 @@ SERVERS = 20
 DRIFTS = (400, 700)
 #: Frames that may also be carried out by two others.
 SEQUENCES = {"bringing": ("approaching", "grasping"), "clearing": ("pointing", "grasping")}
+#: A server that has broken succeeds at most so often.
+MOST_BROKEN = 0.1
 _STAYS = 0.8
 
 
@@ -78,7 +80,9 @@ class Home:
                 of_frame = sorted(
                     ((self._mean(pair, found), pair) for pair in pairs if pair[0] == frame), reverse=number < 3
                 )
-                found[moment][of_frame[0][1]] = chance.uniform(0.0, 0.1) if number < 3 else chance.uniform(0.9, 0.99)
+                found[moment][of_frame[0][1]] = (
+                    chance.uniform(0.0, MOST_BROKEN) if number < 3 else chance.uniform(0.9, 0.99)
+                )
         return found
 
     def _mean(self, pair: Tuple[str, str], changes: Dict[int, Dict[Tuple[str, str], float]]) -> float:
@@ -101,6 +105,10 @@ class Home:
             if request.number >= moment and pair in self._changes[moment]:
                 return self._changes[moment][pair]
         return self._rates[(*pair, request.place, request.kind)]
+
+    def broken(self, drift: int) -> FrozenSet[Tuple[str, str]]:
+        """Return the frames with the servers that break at a drift."""
+        return frozenset(pair for pair, rate in self._changes[drift].items() if rate <= MOST_BROKEN)
 
     def attempt(self, request: Request, pair: Tuple[str, str], time: int) -> Tuple[bool, float]:
         """Return whether a server succeeds the n-th time in a command, and how long it takes, seconds."""

@@ -90,8 +90,7 @@ class LearnedPolicy(Policy):
 
     def order(self, candidates: Sequence[Candidate]) -> List[Candidate]:
         """Sort by the expected success and time. Nothing is drawn: the same knowledge gives the same order."""
-        judge = Judge(self._known)
-        judged = [judge.judge(position, candidate.frames) for position, candidate in enumerate(candidates)]
+        judged = Judge(self._known).judge([candidate.frames for candidate in candidates])
         ranked = sorted(judged, key=lambda one: -one.worth)
         self._reason = reason_of(ranked[0], judged, self._known) if ranked else ""
         return [candidates[one.position] for one in ranked]

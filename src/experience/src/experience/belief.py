@@ -6,7 +6,7 @@ like that have changed: they work, or they do not. Many trials make it sharp, a 
 without trials it becomes open again.
 """
 
-from typing import Sequence, Tuple
+from typing import Tuple
 
 #: The rates that are told apart.
 RATES = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.98)
@@ -16,8 +16,6 @@ OPEN: Belief = (1.0 / len(RATES),) * len(RATES)
 _WEIGHTS_OF_CHANGED = (20, 5, 1, 1, 1, 1, 1, 1, 1, 10, 20)
 #: Of a server that has changed: what breaks nearly always fails, and what is mended nearly always succeeds.
 CHANGED: Belief = tuple([weight / sum(_WEIGHTS_OF_CHANGED) for weight in _WEIGHTS_OF_CHANGED])
-_SQUARES = tuple(rate * rate for rate in RATES)
-_FAILURES = tuple(1.0 - rate for rate in RATES)
 
 
 def aged(belief: Belief, steps: int, *, hazard: float) -> Belief:
@@ -34,29 +32,6 @@ def aged(belief: Belief, steps: int, *, hazard: float) -> Belief:
     return tuple([kept * share + (1.0 - kept) * changed for share, changed in zip(belief, CHANGED)])
 
 
-def after(belief: Belief, *, succeeded: bool) -> Belief:
-    """Return a belief after a trial."""
-    likelihoods = RATES if succeeded else _FAILURES
-    shares = [share * likelihood for share, likelihood in zip(belief, likelihoods)]
-    total = sum(shares)
-    return tuple([share / total for share in shares])
-
-
 def mean(belief: Belief) -> float:
     """Return the expected rate."""
     return sum([share * rate for share, rate in zip(belief, RATES)])
-
-
-def moments(belief: Belief) -> Tuple[float, float]:
-    """Return the expected rate, and the expected square of it."""
-    return mean(belief), sum([share * square for share, square in zip(belief, _SQUARES)])
-
-
-def mixed(weighted: Sequence[Tuple[float, Belief]]) -> Belief:
-    """Return the mean of beliefs; the weights need not sum to 1, but one of them is positive."""
-    total = sum(weight for weight, _ in weighted)
-    found = [0.0] * len(RATES)
-    for weight, belief in weighted:
-        share = weight / total
-        found = [one + share * other for one, other in zip(found, belief)]
-    return tuple(found)

@@ -1,7 +1,7 @@
 """Which candidate first: by the expected success and time, with the reason for a person."""
 
 from dataclasses import dataclass
-from typing import Dict, Sequence, Tuple
+from typing import Dict, Iterable, List, Sequence, Tuple
 
 from experience.known import Aspect, Expectation, Subject
 from experience.snapshot import Snapshot
@@ -12,8 +12,9 @@ from typed_arguments import FilledFrame
 FAILURE_S = 300.0
 #: How long a server takes that was never tried, seconds, while nothing of its frame is known.
 _UNTRIED_S = 10.0
-#: In frames where failing harms nothing, how much doubt speaks for a server, in standard deviations: it may work now.
-_CURIOSITY = 0.25
+#: In frames where failing harms nothing, a server is tried that may be better: what is found out serves so many
+#: commands.
+_SERVES = 2.0
 #: Reasons name trials that say something: so many at least.
 _FEWEST = 2
 
@@ -41,35 +42,48 @@ class Judged:
     weakest_server: str
 
 
+#: What is expected of a server, how often it succeeds, and how long it takes, seconds.
+_Expected = Tuple[Expectation, float, float]
+
+
 class Judge:
     """Judges the candidates of a clause; each server and frame is looked up once."""
 
     def __init__(self, known: Snapshot) -> None:
         self._known = known
         # Candidates share their arguments, which are expensive to compare.
-        self._found: Dict[Tuple[object, ...], Tuple[Expectation, float, float]] = {}
+        self._found: Dict[Tuple[object, ...], _Expected] = {}
         self._about: Dict[Tuple[int, ...], Tuple[str, str]] = {}
 
-    def judge(self, position: int, frames: Sequence[FilledFrame]) -> Judged:
-        """Return what is expected of a candidate.
+    def judge(self, candidates: Sequence[Sequence[FilledFrame]]) -> List[Judged]:
+        """Return what is expected of the candidates of a clause, each of which is a sequence of frames.
 
         A sequence fails when one of its frames fails, and then takes no more time. If a candidate that fails costs its
         time and `FAILURE_S`, the expected cost of a clause is least when candidates are tried by descending success
         divided by cost: two neighbours in the other order would cost more when they are exchanged.
         """
-        rate, took_s = 1.0, 0.0
-        weakest, weakest_server, lowest = Expectation(), "", 2.0
-        for frame in frames:
-            expected, believed, frame_s = self._expect(frame)
-            took_s += rate * frame_s
-            rate *= believed
-            if believed < lowest:
-                weakest, weakest_server, lowest = expected, frame.server, believed
-        worth = rate / (took_s + FAILURE_S * (1.0 - rate) + 1e-9)
-        servers = tuple(frame.server for frame in frames)
-        return Judged(position, servers, worth, rate, took_s, weakest, weakest_server)
+        found = [[self._expect(frame) for frame in frames] for frames in candidates]
+        best = max((_product(rate for _, rate, _ in expected) for expected in found), default=0.0)
+        return [
+            self._judged(position, frames, expected, best)
+            for position, (frames, expected) in enumerate(zip(candidates, found))
+        ]
 
-    def _expect(self, frame: FilledFrame) -> Tuple[Expectation, float, float]:
+    def _judged(self, position: int, frames: Sequence[FilledFrame], found: Sequence[_Expected], best: float) -> Judged:
+        success, took_s = 1.0, 0.0
+        for _, rate, frame_s in found:
+            took_s += success * frame_s
+            success *= rate
+        believed = success
+        # What is likeliest is tried anyway.
+        if len(frames) == 1 and success < best and frames[0].name in self._known.explorable:
+            believed = min(1.0, believed + _SERVES * found[0][0].gain(best))
+        worth = believed / (took_s + FAILURE_S * (1.0 - believed) + 1e-9)
+        at = min(range(len(frames)), key=lambda one: found[one][1])
+        servers = tuple(frame.server for frame in frames)
+        return Judged(position, servers, worth, success, took_s, found[at][0], frames[at].server)
+
+    def _expect(self, frame: FilledFrame) -> _Expected:
         words = tuple([id(argument) for argument in frame.arguments])
         key = frame.name, frame.server, words
         found = self._found.get(key)
@@ -82,12 +96,17 @@ class Judge:
         expected = known.experience.expect(
             Subject(frame.name, frame.server, robot), Circumstances(kinds, referents, known.place, robot)
         )
-        curiosity = _CURIOSITY if frame.name in known.explorable else 0.0
-        believed = expected.rate + curiosity * expected.spread
         took_s = _UNTRIED_S if expected.took_s is None else expected.took_s
-        result = expected, min(1.0, max(0.01, believed)), took_s
+        result = expected, min(1.0, max(0.01, expected.rate)), took_s
         self._found[key] = result
         return result
+
+
+def _product(values: Iterable[float]) -> float:
+    product = 1.0
+    for value in values:
+        product *= value
+    return product
 
 
 def reason_of(first: Judged, judged: Sequence[Judged], known: Snapshot) -> str:

@@ -5,6 +5,7 @@ from typing import Tuple
 import rospy
 from roboframenet_msgs import msg
 
+from experience.belief import RATES
 from experience.known import Cell, Experience, Record, Subject
 from experience.rules import Rule, RuleKind
 from experience.snapshot import Snapshot
@@ -36,7 +37,7 @@ def snapshot_from_message(message: msg.Experience) -> Snapshot:
     for one in message.servers:
         subject = Subject(one.frame_name, one.server, one.robot)
         cells = {(cell.aspect, cell.value): _cell(cell) for cell in one.cells}
-        experience.records[subject] = Record(cells, tuple(one.evidence), one.took)
+        experience.records[subject] = Record(cells, one.tick, one.took)
         experience.ticks[one.frame_name] = one.trials_of_frame
     rules = tuple(rule_from_message(rule) for rule in message.rules)
     robots = {one.server: one.robot for one in message.servers if one.robot}
@@ -50,13 +51,12 @@ def _record_to_message(subject: Subject, record: Record, ticks: int) -> msg.Serv
         robot=subject.robot,
         took=record.took_s,
         trials_of_frame=ticks,
-        evidence=list(record.evidence),
+        tick=record.tick,
         cells=[
             msg.ExperienceCell(
                 aspect=aspect,
                 value=value,
                 belief=list(cell.belief),
-                tick=cell.tick,
                 recent=bytes(cell.recent),
             )
             for (aspect, value), cell in record.cells.items()
@@ -65,7 +65,9 @@ def _record_to_message(subject: Subject, record: Record, ticks: int) -> msg.Serv
 
 
 def _cell(message: msg.ExperienceCell) -> Cell:
-    return Cell(tuple(message.belief), message.tick, tuple(bool(one) for one in bytes(message.recent)))
+    if len(message.belief) != len(RATES):
+        raise ValueError(f"a belief has {len(message.belief)} shares, not {len(RATES)}")
+    return Cell(tuple(message.belief), tuple(bool(one) for one in bytes(message.recent)))
 
 
 def rule_to_message(rule: Rule) -> msg.ServerRule:

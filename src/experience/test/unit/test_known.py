@@ -19,8 +19,38 @@ def rate(trials: List[Trial], about: Circumstances = KITCHEN) -> float:
     return learned_from(trials).expect(ARM, about).rate
 
 
-def test_untried_server_is_expected_to_succeed_as_often_as_not() -> None:
-    assert rate([]) == pytest.approx(0.5)
+def test_of_an_untried_server_little_is_expected_and_little_is_sure() -> None:
+    untried = Experience().expect(ARM, KITCHEN)
+    assert 0.35 < untried.rate < 0.5
+    assert untried.gain(0.8) > 0.01
+    assert untried.took_s is None and untried.cell is None
+
+
+def test_failures_in_one_room_say_less_of_other_rooms() -> None:
+    assert rate([FAILED] * 5, KITCHEN) < 0.1
+    assert rate([FAILED] * 5, OFFICE) > 1.3 * rate([FAILED] * 5, KITCHEN)
+
+
+def test_success_elsewhere_shows_that_it_was_the_room() -> None:
+    trials = [FAILED] * 5
+    before = learned_from(trials).expect(ARM, OFFICE).rate
+    after = learned_from([*trials, *[replace(TRIAL, circumstances=OFFICE)] * 5])
+    assert after.expect(ARM, OFFICE).rate > 0.75 > before
+    assert after.expect(ARM, KITCHEN).rate < 0.35
+    # A thing that was never seen fails in the kitchen like the others, and not elsewhere.
+    assert after.expect(ARM, Circumstances(kinds="theme=glass", place="kitchen")).rate < 0.4
+    assert after.expect(ARM, Circumstances(kinds="theme=glass", place="hall")).rate > 0.6
+
+
+def test_room_and_kind_that_are_weak_are_told_apart() -> None:
+    """It fails in the kitchen, and with glasses everywhere; plates in the office were never tried."""
+    trials = []
+    for place, kind in (("kitchen", "cup"), ("office", "glass"), ("office", "cup"), ("hall", "cup"), ("hall", "glass")):
+        works = place != "kitchen" and kind != "glass"
+        about = Circumstances(kinds=f"theme={kind}", place=place)
+        trials += [replace(TRIAL if works else FAILED, circumstances=about)] * 6
+    assert rate(trials, Circumstances(kinds="theme=plate", place="office")) > 0.7
+    assert rate(trials, Circumstances(kinds="theme=glass", place="kitchen")) < 0.2
 
 
 def test_few_trials_are_enough() -> None:

@@ -234,7 +234,7 @@ class FrameRegistrar:
 
     def _on_fleet(self, fleet: Fleet) -> None:
         """The servers of a robot that joins register when they hear of this registrar."""
-        robots = frozenset(member.name for member in fleet.members if is_robot_name(member.name))
+        robots = frozenset(robot.name for robot in fleet.robots if is_robot_name(robot.name))
         if not robots <= self._robots:
             self._robots |= robots
             for robot in robots:

@@ -84,6 +84,9 @@ class _Utterance:
             inner = _Utterance(self._text[self._tokens[behind_front].start :], self._names, self._verbs).parts()
             if all(part.text for part in inner):
                 return tuple(replace(part, text=f"{front}, {part.text}") for part in inner)
+        return self._told_behind_front() or self._parts()
+
+    def _parts(self) -> Tuple[Part, ...]:
         parts: List[Part] = []
         position = 0
         while position < len(self._words):
@@ -113,6 +116,32 @@ class _Utterance:
             if group is not None and behind < len(self._words) and self._is_addressed(behind, needs_verb=True):
                 return at
         return 0
+
+    def _told_behind_front(self) -> Tuple[Part, ...]:
+        """Return the parts of "Alpha, when the bell rings, tell Beta to go": Beta waits; empty for other texts."""
+        begin = self._behind_address(0)
+        first = self._skip(begin, len(self._words), "greetings")
+        if not self._lists["fronts"].length_at(self._words, first):
+            return ()
+        for at in range(first + 2, len(self._words)):
+            if self._words[at - 1] in _ENDS:
+                return ()
+            if self._words[at - 1] != "," or not (self._words[at] in self._verbs or self._told_at(at)):
+                continue
+            front = self._slice(first, at)
+            # Nobody else can wait for what the robot itself does or sees.
+            if any(word in self._single["you"] for word in self._words[first:at]):
+                return ()
+            address = self._text[: self._tokens[first].start] if begin else ""
+            rest = address + self._text[self._tokens[at].start :]
+            inner = _Utterance(rest, self._names, self._verbs).parts()
+            if not any(part.is_told for part in inner):
+                return ()
+            return tuple(
+                replace(part, text=f"{front}, {part.text}") if part.is_told or not number else part
+                for number, part in enumerate(inner)
+            )
+        return ()
 
     def _is_sequel(self, position: int) -> bool:
         """Whether the part at a position is to be done after those before it."""

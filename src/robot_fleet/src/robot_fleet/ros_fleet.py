@@ -3,11 +3,11 @@
 import threading
 import time
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, Set, Tuple, Union
+from typing import Dict, FrozenSet, Optional, Set, Tuple, Union
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import Fleet, FleetMember, Lexicon, Reply, World
+from roboframenet_msgs.msg import Fleet, FleetMember, FleetRobot, FleetService, Lexicon, Reply, World
 from std_msgs.msg import String
 
 from command_server.inbox import Inbox
@@ -26,6 +26,8 @@ from semantic_frames import FileRefused, load_lexical_units
 
 _TURN_S = 0.1
 _SIGN_OF_LIFE_S = 1.0
+#: Robots that start together make one list of several, because each robot gets each list.
+_LIST_PERIOD_S = 0.2
 _JOIN_TIMEOUT_S = 2.0
 
 
@@ -52,6 +54,8 @@ class _Answered:
     reply: Reply
 
 
+#: The robots with what they are called, and those that have left.
+_List = Tuple[Tuple[Tuple[str, Tuple[str, ...]], ...], Tuple[str, ...]]
 _Event = Union[_Said, _Cancelled, _Begun, _Answered, FleetMember, None]
 
 
@@ -60,7 +64,7 @@ class FleetNode:
 
     Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
     ``<robot>/command/result``, ``<robot>/command/feedback``. Publishes: ``reply``, ``fleet`` (latched),
-    ``<robot>/command/goal``, ``<robot>/command/cancel``. Actions: ``command``.
+    ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``. Actions: ``command``.
     """
 
     def __init__(self, settings: FleetSettings) -> None:
@@ -74,11 +78,13 @@ class FleetNode:
         self._utterances = Utterances(settings, self._links, self._reply_to)
         self._verbs: FrozenSet[str] = frozenset()
         self._places: Tuple[Tuple[str, Place], ...] = ()
-        self._told_s = 0.0
+        self._told_s = self._listed_s = 0.0
         self._was_up = False
+        self._listed: Optional[_List] = None
         self._text_ids = TextIds(TextSource.TEXT)
         self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
         self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
+        self._life = rospy.Publisher("fleet_service", FleetService, queue_size=5)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
         self._action = CommandActionServer(
             on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, handle.get_goal_id().id, handle)),
@@ -132,15 +138,13 @@ class FleetNode:
                     self._handle(event)
                 except Exception as error:  # boundary: one event must not keep the others from being handled
                     rospy.logerr("fleet could not handle a %s: %s", type(event).__name__, error, exc_info=True)
-            changes = self._roster.turn(now_s=time.monotonic())
-            for robot in changes.left:
+            for robot in self._roster.turn(now_s=time.monotonic()).left:
                 rospy.loginfo("%s has left", robot)
                 self._utterances.lose(robot)
             self._utterances.end_undelivered(self._roster.absent)
             self._utterances.send()
-            is_up = self._service.missing() is None
-            if changes or is_up != self._was_up or time.monotonic() - self._told_s >= _SIGN_OF_LIFE_S:
-                self._tell(is_up)
+            self._tell()
+            self._list()
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, _Said):
@@ -158,7 +162,6 @@ class FleetNode:
             if self._roster.hear(event.name, event, now_s=time.monotonic()):
                 rospy.loginfo("%s has joined", event.name)
                 self._links.prepare(event.name)
-                self._tell(self._service.missing() is None)
 
     def _company(self) -> Company:
         busy = self._utterances.busy
@@ -181,16 +184,22 @@ class FleetNode:
         self._reply.publish(reply)
         self._action.finish(reply, command_id=reply.command.id)
 
-    def _tell(self, is_up: bool) -> None:
-        self._told_s, self._was_up = time.monotonic(), is_up
-        self._fleet.publish(
-            Fleet(
-                stamp=rospy.Time.now(),
-                is_service_up=is_up,
-                members=list(self._roster.members),
-                absent=list(self._roster.absent),
-            )
-        )
+    def _tell(self) -> None:
+        """Give the sign of life of the service when it is due, or when the service has gone or come."""
+        is_up = self._service.missing() is None
+        if is_up != self._was_up or time.monotonic() - self._told_s >= _SIGN_OF_LIFE_S:
+            self._told_s, self._was_up = time.monotonic(), is_up
+            self._life.publish(FleetService(stamp=rospy.Time.now(), is_up=is_up))
+
+    def _list(self) -> None:
+        """Publish the list of robots, if it is another one."""
+        members = tuple((member.name, tuple(member.spoken_names)) for member in self._roster.members)
+        found = members, self._roster.absent
+        if found == self._listed or time.monotonic() - self._listed_s < _LIST_PERIOD_S:
+            return
+        self._listed, self._listed_s = found, time.monotonic()
+        robots = [FleetRobot(name=name, spoken_names=list(spoken)) for name, spoken in members]
+        self._fleet.publish(Fleet(stamp=rospy.Time.now(), robots=robots, absent=list(self._roster.absent)))
 
 
 def _place_of(member: FleetMember) -> Union[Place, None]:

@@ -13,8 +13,8 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameActionGoal,
     FilledSemanticFrameGoal,
-    Fleet,
     FleetMember,
+    FleetService,
 )
 from std_msgs.msg import String
 
@@ -32,7 +32,7 @@ _JOIN_TIMEOUT_S = 2.0
 class FleetMemberNode:
     """Tells of the robot in whose namespace it runs.
 
-    Subscribes: ``fleet``, ``status``, ``odom``. Publishes: ``fleet_member``, ``text`` ("Stop.") and
+    Subscribes: ``fleet_service``, ``status``, ``odom``. Publishes: ``fleet_member``, ``text`` ("Stop.") and
     ``<home_server>/goal`` by its policy.
     """
 
@@ -58,7 +58,7 @@ class FleetMemberNode:
         """Take part."""
         rospy.on_shutdown(self._shutdown)
         self._subscribers = [
-            rospy.Subscriber("fleet", Fleet, self._hear_fleet, queue_size=1),
+            rospy.Subscriber("fleet_service", FleetService, self._hear_service, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._hear_status, queue_size=1),
             rospy.Subscriber("odom", Odometry, self._hear_odometry, queue_size=1),
         ]
@@ -74,9 +74,9 @@ class FleetMemberNode:
         self._is_closing.set()
         self._worker.join(_JOIN_TIMEOUT_S)
 
-    def _hear_fleet(self, fleet: Fleet) -> None:
-        # The topic is latched: an old message is no sign of life.
-        if fleet.is_service_up and abs((rospy.Time.now() - fleet.stamp).to_sec()) <= self._settings.silence_s:
+    def _hear_service(self, service: FleetService) -> None:
+        # What the network delivers late is no sign of life.
+        if service.is_up and abs((rospy.Time.now() - service.stamp).to_sec()) <= self._settings.silence_s:
             with self._lock:
                 self._hearing, acts = self._hearing.hear(time.monotonic())
             for _ in acts:

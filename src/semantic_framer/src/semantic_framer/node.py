@@ -203,7 +203,7 @@ class SemanticFramer:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
     def _on_fleet(self, message: Fleet) -> None:
-        named: Dict[str, Sequence[str]] = {member.name: member.spoken_names for member in message.members}
+        named: Dict[str, Sequence[str]] = {robot.name: robot.spoken_names for robot in message.robots}
         self._robots = Names({**dict.fromkeys(message.absent, ()), **named})
 
     def _on_speaker(self, message: String) -> None:

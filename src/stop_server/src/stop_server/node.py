@@ -149,7 +149,7 @@ class StopServerNode:
     def _hear_fleet(self, fleet: Fleet) -> None:
         named: Dict[str, Sequence[str]] = {self._robot: ()}
         named.update(dict.fromkeys(fleet.absent, ()))
-        named.update({member.name: member.spoken_names for member in fleet.members})
+        named.update({robot.name: robot.spoken_names for robot in fleet.robots})
         self._names = Names(named)
 
     def _hear_taken(self, text: str) -> None:
