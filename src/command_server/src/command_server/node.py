@@ -12,7 +12,6 @@ import rospy
 from roboframenet_msgs.msg import OrderDue, Reply, StageEvent, StoppedPlan, StopReport
 from std_msgs.msg import String
 
-from command_server.command_behind import command_behind
 from command_server.follow_ups import FollowUps
 from command_server.inbox import Inbox
 from command_server.open_commands import (
@@ -29,7 +28,7 @@ from command_server.open_commands import (
     refusal_of_text,
     stamp_after,
 )
-from command_server.orders_back import FORGET_THAT
+from command_server.orders_back import order_words, said_behind
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
@@ -223,12 +222,12 @@ class CommandServerNode:
         cry = find_cry(said.text)
         if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
             self._commands.open(command)
-            self._texts.add(replace(command, text=FORGET_THAT))
+            self._texts.add(replace(command, text=order_words(command.text)))
         elif cry is not None:
             # Of a text that was cut, the rest is no command.
             self._hear_stop(
                 command,
-                behind="" if command.text != said.text else command_behind(cry.rest),
+                behind="" if command.text != said.text else said_behind(cry),
                 is_action=said.handle is not None,
                 heard_s=said.arrival_s,
             )

@@ -3,7 +3,8 @@
 import pytest
 
 from command_server.open_commands import Outcome
-from command_server.orders_back import takes_order_back
+from command_server.orders_back import FORGET_ALL, order_words, said_behind, takes_order_back
+from command_server.stop_words import find_cry
 
 GIVEN = {"is_free": True, "stage": "standing_orders", "outcome": Outcome.DONE, "age_s": 2.0}
 
@@ -40,3 +41,41 @@ def test_another_command_behind_it_is_a_stop_and_that_command(text):
 )
 def test_at_any_other_time_it_is_a_stop(other):
     assert not takes_order_back("Forget that.", **{**GIVEN, **other})
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Forget everything.",
+        "Please forget everything, robot.",
+        "Forget all orders.",
+        "forget all my orders",
+        "Cancel all orders.",
+        "Forget everything I told you.",
+    ],
+)
+def test_all_orders_are_forgotten_behind_the_stop(text):
+    cry = find_cry(text)
+    assert cry is not None
+    assert said_behind(cry) == FORGET_ALL
+    assert order_words(text) == FORGET_ALL
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Forget it.", "Forget the last command.", "Forget my last orders.", "Cancel everything.", "Forget what I said."],
+)
+def test_other_cries_keep_the_orders(text):
+    cry = find_cry(text)
+    assert cry is not None
+    assert not said_behind(cry)
+
+
+def test_a_command_behind_a_cry_comes_first():
+    cry = find_cry("Forget everything and come back.")
+    assert cry is not None
+    assert said_behind(cry) == "come back."
+
+
+def test_what_is_done_behind_the_stop_is_no_stop():
+    assert find_cry(FORGET_ALL) is None

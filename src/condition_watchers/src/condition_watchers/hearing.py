@@ -4,7 +4,7 @@ import re
 import threading
 from dataclasses import dataclass
 from datetime import datetime
-from typing import List, Optional
+from typing import List, Optional, Tuple
 
 from condition_watchers.words import hour, is_one_of
 from spoken_quantities import QuantityError, parse_number
@@ -16,7 +16,7 @@ MOMENT_S = 0.5
 _MOST_KEPT = 50
 _NO_WORD = re.compile(r"[^\w]+")
 #: A time of the day in ISO 8601, as TIMEX3 writes it: "T08:00".
-_TIME_OF_DAY = re.compile(r"^T(\d{1,2})(?::?(\d{2}))?")
+_TIME_OF_DAY = re.compile(r"T(\d{1,2})(?::?(\d{2}))?")
 #: A clock shows a minute for so long.
 _SHOWN_S = 60.0
 
@@ -81,21 +81,24 @@ def _plain(text: str) -> str:
     return " ".join(_NO_WORD.sub(" ", text.lower()).split())
 
 
-def clock_shows(said: TypedArgument, now: datetime) -> bool:
+def clock_shows(said: TypedArgument, now: datetime, *, side: str = "") -> bool:
     """Whether the clock shows a time: from that moment on, for a minute.
 
     Args:
         said: the time; "eight" is that of the morning and that of the evening
         now: local time
+        side: whether a time "after" or "before" it is meant, on this day
     Raises:
-        ValueError: it is no moment
+        ValueError: it is no moment, or it may be two moments of which one is before now and one is not
     """
+    if side:
+        return _is_on_side(said, now, side)
     time = said.time
     if time is not None and time.begin_s is not None:
         return 0.0 <= now.timestamp() - time.begin_s < _SHOWN_S
-    found = _TIME_OF_DAY.search(time.value) if time is not None else None
-    if found is not None:
-        return (now.hour, now.minute) == (int(found[1]) % 24, int(found[2] or 0))
+    found = _times_of_day(said)
+    if found:
+        return (now.hour, now.minute) in found
     named = hour(said.text.lower())
     if named is not None:
         return (now.hour, now.minute) == (named, 0)
@@ -107,3 +110,17 @@ def clock_shows(said: TypedArgument, now: datetime) -> bool:
         raise ValueError(f'"{said.text}" is no time of the day')
     hours = {number % 24} if number > 12 else {number % 12, number % 12 + 12}
     return now.hour in hours and now.minute == 0
+
+
+def _times_of_day(said: TypedArgument) -> List[Tuple[int, int]]:
+    value = said.time.value if said.time is not None else ""
+    return [(int(hour) % 24, int(minute or 0)) for hour, minute in _TIME_OF_DAY.findall(value)]
+
+
+def _is_on_side(said: TypedArgument, now: datetime, side: str) -> bool:
+    times = _times_of_day(said)
+    answers = {(now.hour, now.minute) >= time for time in times}
+    if len(answers) != 1:
+        which = "may be in the morning or in the evening" if times else "is no time of the day"
+        raise ValueError(f'"{said.text}" {which}')
+    return answers.pop() is (side == "after")

@@ -261,7 +261,8 @@ class ClockWatch:
 
     def _holds(self, frame: TypedFrame) -> Observed:
         try:
-            is_shown = clock_shows(frame["time"], datetime.fromtimestamp(rospy.get_time()))
+            now = datetime.fromtimestamp(rospy.get_time())
+            is_shown = clock_shows(frame["time"], now, side=frame["side"].text)
         except ValueError as reason:
             raise ConditionUnknown(str(reason)) from reason
         return Observed(is_shown, rospy.Time.now())

@@ -86,3 +86,21 @@ def test_what_is_no_moment_cannot_be_told(text: str, time: TimeExpression) -> No
 def test_places_have_a_size() -> None:
     assert is_near((0.0, 0.0), (0.3, 0.4), 0.5)
     assert not is_near((0.0, 0.0), (0.3, 0.5), 0.5)
+
+
+@pytest.mark.parametrize(
+    "side, hour, expected",
+    [("after", 21, False), ("after", 22, True), ("after", 23, True), ("before", 21, True), ("before", 22, False)],
+)
+def test_after_and_before_a_time_of_this_day(side: str, hour: int, expected: bool) -> None:
+    said = TypedArgument("time", "ten pm", time=TimeExpression("time", value="T22:00"))
+    assert clock_shows(said, datetime(2026, 5, 4, hour, 30), side=side) is expected
+
+
+def test_a_time_without_its_half_of_the_day() -> None:
+    said = TypedArgument("time", "ten", time=TimeExpression("time", value="T10:00/T22:00"))
+    assert clock_shows(said, datetime(2026, 5, 4, 22, 0, 30))
+    assert clock_shows(said, datetime(2026, 5, 4, 23), side="after")
+    assert clock_shows(said, datetime(2026, 5, 4, 9), side="before")
+    with pytest.raises(ValueError, match="in the morning or in the evening"):
+        clock_shows(said, datetime(2026, 5, 4, 15), side="after")

@@ -4,8 +4,9 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, Mapping, Optional, Tuple, Union
 
-from command_server.command_behind import command_behind
+from command_server.cries import Cry
 from command_server.open_commands import refusal_of_text
+from command_server.orders_back import said_behind
 from command_server.settings import Settings as CommandServerSettings
 from command_server.stop_words import find_cry
 from frame_registrar import search as registrar
@@ -181,7 +182,7 @@ class Pipeline:
         """
         cry = find_cry(text)
         if cry is not None:
-            return self._stopped(text, cry.rest, context)
+            return self._stopped(text, cry, context)
         refusal = refusal_of_text(text, max_length=self._parameters.max_text_length)
         if refusal is not None:
             return Understanding(text, Reply("REFUSED", *refusal), context=context)
@@ -200,16 +201,16 @@ class Pipeline:
         )
         return self._understanding(text, parse.tree, heard, trace)
 
-    def _stopped(self, text: str, rest: str, context: Context) -> Understanding:
+    def _stopped(self, text: str, cry: Cry, context: Context) -> Understanding:
         """Understand a stop, and the command after it.
 
         Args:
             text: the whole text
-            rest: the text after the stop
+            cry: the stop in it
             context: the context before the stop; after a stop, no reply answers an open question
         """
         # If the text is too long, the rest is not a command.
-        command = command_behind(rest) if len(text) <= self._parameters.max_text_length else ""
+        command = said_behind(cry) if len(text) <= self._parameters.max_text_length else ""
         context = context.stopped()
         behind = self.understand(command, context) if command else None
         what = "stops at once, and goes no further" if not command else f'stops at once; then a command: "{command}"'

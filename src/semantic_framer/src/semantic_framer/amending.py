@@ -6,27 +6,15 @@ the kitchen".
 """
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, unit_argument
-from roboframenet_ros.spoken_lists import join_with_or
-from semantic_framer.dialogue import Context, LastCommand
-from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
+from semantic_framer.dialogue import LastCommand
+from semantic_framer.fragment_kind import FragmentKind
+from semantic_framer.fragments import Fragment
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
-from semantic_framer.outcome import (
-    CORRECTION,
-    DECLINED,
-    QUESTION,
-    REPORT,
-    TALK,
-    WISH,
-    Outcome,
-    Question,
-    Refusal,
-    Understood,
-)
 from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -38,7 +26,7 @@ from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit
 from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import with_moved_positions, without_any_position
-from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree_edits import behind_verb
 from utterance_passes.verb_matching import match_verbs
@@ -47,7 +35,6 @@ from word_classes import word_class, word_list
 #: Types with much in common.
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
-_NEGATIONS = word_class("negations")
 _PERSONS = word_class("pronouns_of_persons")
 _PAIRS = word_list("opposite_sides")
 #: The other side of each side.
@@ -58,10 +45,6 @@ _OPPOSITES: Dict[str, str] = {
 
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
-#: After these refusals, a fragment still means the command before: no other command was said.
-_NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "NO_VERB"])
-#: Replies quote an utterance without these final marks.
-_MARKS = " .!?,"
 
 
 def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> Tuple[Clauses, ...]:
@@ -79,7 +62,9 @@ def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: Fr
     if any(one.unit.frame_name not in known.frames for readings in last.clauses for one in readings):
         return ()
     if fragment.kind is FragmentKind.REPEAT:
-        return (tuple(tuple(map(_unsaid, readings)) for readings in last.clauses),)
+        if fragment.times and len(last.clauses) > 1:
+            return ()
+        return (tuple(tuple(_repeated(one, fragment.times) for one in readings) for readings in last.clauses),)
     found: List[Tuple[int, Clauses]] = []
     for readings in reversed(last.clauses):
         changes = [_Amending(fragment, sentence, reading, known).changed() for reading in readings]
@@ -91,6 +76,13 @@ def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: Fr
             found.append((added, (fitting,)))
     least = min((added for added, _ in found), default=0)
     return tuple(clauses for added, clauses in found if added == least)
+
+
+def _repeated(reading: Reading, times: int) -> Reading:
+    again = _unsaid(reading)
+    if not times:
+        return again
+    return replace(again, control=replace(again.control, count=times * max(1, again.control.count)))
 
 
 def _unsaid(reading: Reading) -> Reading:
@@ -126,7 +118,7 @@ class _Amending:
         """Return the changed reading; None if the fragment does not fit it."""
         kind = self._fragment.kind
         if kind is FragmentKind.MORE:
-            return _unsaid(self._reading) if _measured(self._reading, self._frame) else None
+            return _unsaid(self._reading) if measured(self._reading, self._frame) else None
         if kind is FragmentKind.BIT:
             return self._with_a_bit()
         if kind in PACES:
@@ -161,14 +153,14 @@ class _Amending:
 
     def _with_a_bit(self) -> Optional[Reading]:
         """Return the reading with the amount that is assumed for "a bit"; without one, the person must say it."""
-        measured = _measured(self._reading, self._frame)
-        if len(measured) != 1 or measured[0].quantity is None:
+        found = measured(self._reading, self._frame)
+        if len(found) != 1 or found[0].quantity is None:
             return None
-        names = {measured[0].name, measured[0].unit_element}
-        amount = slight_amount(self._fragment.positions, measured[0].quantity.value)
-        if amount is not None and measured[0].unit_element:
-            value = amount_argument(self._tree, measured[0].name, amount, is_whole=False)
-            return self._with([value, unit_argument(self._tree, measured[0].unit_element, amount)])
+        names = {found[0].name, found[0].unit_element}
+        amount = slight_amount(self._fragment.positions, found[0].quantity.value)
+        if amount is not None and found[0].unit_element:
+            value = amount_argument(self._tree, found[0].name, amount, is_whole=False)
+            return self._with([value, unit_argument(self._tree, found[0].unit_element, amount)])
         before = _unsaid(self._reading)
         return replace(
             before,
@@ -347,99 +339,12 @@ class _Amending:
 
     def _unit(self) -> str:
         """Return the unit of the amount in the last command; empty if it has none, or several."""
-        measured = _measured(self._reading, self._frame)
-        value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
+        found = measured(self._reading, self._frame)
+        value = self._reading.argument(found[0].unit_element) if len(found) == 1 else None
         return value.text if value is not None else ""
 
 
-def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float) -> Optional[LastCommand]:
-    """Return the command that the next fragment may change or repeat.
-
-    A command that was refused or asked about leaves none: the fragment could mean it, and not the command before.
-
-    Args:
-        outcome: of this utterance
-        before: the last command before it
-        said_s: stamp of this utterance, seconds
-    """
-    if isinstance(outcome, Understood):
-        # A command with conditions is not repeated without them.
-        return LastCommand(outcome.clauses, said_s) if outcome.plan is None else None
-    return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
-
-
-@dataclass(frozen=True)
-class Change:
-    """What a fragment leads to.
-
-    Attributes:
-        note: says in the trace what was done
-        outcome: why nothing is done; None if the changed command is carried out
-        clauses: readings of the changed command; empty with an outcome
-        wants_yes: whether the person must first say yes
-    """
-
-    note: str
-    outcome: Optional[Outcome] = None
-    clauses: Clauses = ()
-    wants_yes: bool = False
-
-
-def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, known: FramedLexicon) -> Optional[Change]:
-    """Apply a fragment to the last command.
-
-    Args:
-        sentence: the utterance
-        parsed: its clauses
-        context: what the framer remembers
-        known: lexical units and frames
-    Returns:
-        the change; None if the utterance is to be read as a command
-    """
-    fragment = fragment_of(sentence, parsed, known)
-    if fragment is None:
-        return None
-    said = sentence.tree.text.strip(_MARKS)
-    if context.last is None:
-        # "Not so fast" is said to whatever runs.
-        if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
-            return None
-        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
-        return Change("asked. No command was said before it.", question)
-    before = "; ".join(str(readings[0]) for readings in context.last.clauses)
-    found = amended(fragment, sentence, context.last, known)
-    if len(found) > 1:
-        options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
-        question = Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence.")
-        return Change(f"asked. Several clauses of {before} have such an element.", question)
-    if not found:
-        if not fragment.needs_command:
-            return None
-        reason = f'I do not know what "{said}" means after my last command.'
-        if fragment.kind in PACES:
-            reason = f"I cannot do that {PACES[fragment.kind]}."
-        refusal = Refusal("NO_VERB", reason)
-        return Change(f"refused. It says nothing about {before}.", refusal)
-    clauses = found[0]
-    after = "; ".join(str(readings[0]) for readings in clauses)
-    note = f"{fragment.kind.value}: {before} -> {after}"
-    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
-
-
-def _measured(reading: Reading, frame: SemanticFrame) -> List[FrameElement]:
+def measured(reading: Reading, frame: SemanticFrame) -> List[FrameElement]:
     """Return the elements of a frame that have an amount in a reading."""
     filled = {argument.name for argument in reading.arguments}
     return [element for element in frame.frame_elements if element.quantity and element.name in filled]
-
-
-def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
-    """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
-    reading = clauses[0][0]
-    frame = known.frames[reading.unit.frame_name]
-    if fragment.kind in PACES:
-        return bool(_measured(reading, frame))
-    if fragment.kind is not FragmentKind.ELEMENTS:
-        return False
-    said = {argument.name for argument in reading.arguments if argument.positions}
-    core = {element.name for element in frame.frame_elements if element.is_core}
-    return not said & core and any(argument.measure is not None for argument in reading.arguments)

@@ -4,7 +4,8 @@ from dataclasses import dataclass, field, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clock_times import ClockTime, clock_time_at
-from semantic_framer.conditions import ConditionPart, read_condition
+from semantic_framer.condition_part import ConditionPart
+from semantic_framer.conditions import read_condition
 from semantic_framer.deed_orders import ItemOrder, deed_behind, end_order, item_order, times_at
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import Link, LinkKind, shipped_links
@@ -228,7 +229,7 @@ class _Finder:
             joint = self._joint(Link(times.kind.value, times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self.forms[place:])
-        if link is not None and self._may_end(place, place + length):
+        if link is not None and (link.kind is LinkKind.AT_A_TIME or self._may_end(place, place + length)):
             return self._joint(link, place, place + length, length, None), place + length
         return None, 0
 
@@ -312,6 +313,8 @@ class _Finder:
         word, form = self.words[end], self.forms[end]
         if word.upos in ("PUNCT", "CCONJ") or form in _BORDERS:
             return True
+        if form == "to" and [after.xpos for after in self.words[end + 1 : end + 2]] == ["VB"]:
+            return True  # "Remind me at six *to call Bob*".
         links = shipped_links()
         if any(at(self.forms[end:])[1] for at in (links.link_at, links.joiner_at, links.deed_link_at, links.order_at)):
             return True

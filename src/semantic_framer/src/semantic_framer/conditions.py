@@ -5,9 +5,11 @@ auxiliaries of the present and the perfect; any other tense or mood ("if the doo
 not understood. A negation of the whole clause is taken out, and kept beside the reading.
 """
 
-from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from dataclasses import replace
+from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
+from semantic_framer.clock_times import clock_time_at
+from semantic_framer.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -21,7 +23,7 @@ from utterance_passes.tree import Word
 from word_classes import word_class
 
 _CONJUNCTIONS: Mapping[str, str] = {"and": "ALL", "or": "ANY"}
-_DO, _HAVE, _BE = word_class("forms_of_do"), word_class("forms_of_have"), word_class("forms_of_be")
+_DO = word_class("forms_of_do")
 _NOT = word_class("not")
 _NOBODY = word_class("indefinite_persons_denied")
 _NOTHING = word_class("indefinite_things_denied")
@@ -37,31 +39,8 @@ _NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
 _ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
 _ALTERNATIVE = word_class("words_before_alternatives")
-#: FrameNet's names of what happens in a moment.
-_MOMENTARY = frozenset(["Arriving", "Departing", "Impact", "Process_end", "Process_start", "Statement"])
 #: What somebody can come to.
 _DESTINATIONS = ("Location", "Physical_object")
-
-
-@dataclass(frozen=True)
-class ConditionPart:
-    """A condition, or several ones that are joined.
-
-    Attributes:
-        kind: CONDITION, ALL or ANY
-        positions: of all its words
-        reading: of a CONDITION; None for the others
-        children: the joined conditions
-        is_negated: whether the opposite is meant
-        is_anew: whether it must begin to hold: "rings again"
-    """
-
-    kind: str
-    positions: FrozenSet[int]
-    reading: Optional[Reading] = None
-    children: Tuple["ConditionPart", ...] = ()
-    is_negated: bool = False
-    is_anew: bool = False
 
 
 class _Words(NamedTuple):
@@ -107,23 +86,11 @@ def read_condition(
         return None
     if somebody:
         one = _read_one(sentence, known, positions, is_until, somebody)
-        return one if one is not None and happens(one, sentence, known) else None
+        return one if one is not None and happens(one, sentence.tree, known.frames) else None
     read = _read_whole(
         sentence, known, [index for index in positions if sentence.word(index).upos != "PUNCT"], is_until
     )
-    return None if read is None or (must_last and _is_momentary(read, known)) else read
-
-
-def happens(part: ConditionPart, sentence: Sentence, known: FramedLexicon) -> bool:
-    """Whether a condition happens in a moment: "if Anna comes", but not "if Anna has come" or "if nobody comes"."""
-    forms = {sentence.word(index).lemma.lower() for index in part.positions if sentence.word(index).upos == "AUX"}
-    return _is_momentary(part, known) and not part.is_negated and not forms & _HAVE
-
-
-def _is_momentary(part: ConditionPart, known: FramedLexicon) -> bool:
-    if part.reading is None:
-        return any(_is_momentary(child, known) for child in part.children)
-    return known.frames[part.reading.unit.frame_name].framenet in _MOMENTARY
+    return None if read is None or (must_last and is_momentary(read, known.frames)) else read
 
 
 def _has_foreign_comma(sentence: Sentence, positions: Sequence[int]) -> bool:
@@ -357,6 +324,14 @@ def _argument(
     element = frame.element(name)
     if kind == "state":
         return argument_of(sentence, name, positions) if _is_state(words[0]) else None
+    if kind == "clock":
+        clock = clock_time_at(["at", *(word.form.lower() for word in words)])
+        is_whole = clock is not None and clock.length == len(words) + 1
+        is_once = clock is not None and clock.when is not None and clock.when.kind == "time"
+        if clock is None or not (is_whole and is_once):
+            return None
+        text = sentence.text(positions)
+        return replace(argument_of(sentence, name, positions), text=text, words=text, time=clock.when)
     if kind == "word" and words[0].form.lower() not in _NO_PHRASE:
         return argument_of(sentence, name, positions)
     quantity = element.quantity if element is not None else None

@@ -109,13 +109,17 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
     before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
     if before is None or before.form.lower() not in _KEEPING or before.deprel != ASIDE:
         return reading
-    said = [argument for argument in reading.arguments if argument.positions]
-    has_end = any(argument.measure is not None for argument in said) or (
-        frame.framenet == _GOING and any(argument.semantic_type == _PLACE for argument in said)
-    )
-    if has_end or reading.control.is_said or reading.missing:
+    if has_end(reading, frame) or reading.control.is_said or reading.missing:
         return reading
     return replace(reading, control=replace(reading.control, is_kept_up=True))
+
+
+def has_end(reading: Reading, frame: SemanticFrame) -> bool:
+    """Whether something says how far a deed goes: an amount, or a place to go to."""
+    said = [argument for argument in reading.arguments if argument.positions]
+    return any(argument.measure is not None for argument in said) or (
+        frame.framenet == _GOING and any(argument.semantic_type == _PLACE for argument in said)
+    )
 
 
 def going_on(reading: Reading, frame: SemanticFrame) -> Optional[Reading]:

@@ -5,12 +5,13 @@ what to do with the whole command. The words are in ``fragments.yaml``.
 """
 
 from dataclasses import dataclass
-from enum import Enum
 from functools import lru_cache
 from pathlib import Path
 from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
+from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.iterations import times_said
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_words
@@ -45,21 +46,9 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
 #: Alone, they name nothing that was not said already.
 _NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs")
+#: What may stand before a number of times and nothing else: "another three times".
+_AGAIN = word_class("words_before_repetitions") | {""}
 _NO_FRAGMENT = word_class("negations") | word_class("conditions") | word_class("question_words")
-
-
-class FragmentKind(Enum):
-    """What a fragment does to the last command."""
-
-    REPEAT = "repeats it"
-    MORE = "does as much again"
-    BIT = "does a bit more"
-    FASTER = "goes faster"
-    SLOWER = "goes slower"
-    LOUDER = "says it louder"
-    QUIETER = "says it more quietly"
-    OPPOSITE = "takes the other side"
-    ELEMENTS = "changes elements"
 
 
 @dataclass(frozen=True)
@@ -70,11 +59,13 @@ class Fragment:
         kind: what it does
         positions: of the words that count, ascending
         is_more: whether its amount comes on top: "ten more"
+        times: how often the command is repeated: "do that again *three times*"; 0 if it does not say
     """
 
     kind: FragmentKind
     positions: Tuple[int, ...]
     is_more: bool = False
+    times: int = 0
 
     @property
     def needs_command(self) -> bool:
@@ -144,6 +135,11 @@ def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexi
     kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
     if kind is not None:
         return Fragment(kind, positions)
+    times, length = _times_at_end(forms[first:last])
+    rest = " ".join(forms[first : last - length])
+    # "Once" alone begins a condition.
+    if times > (not rest) and (rest in _AGAIN or _WHOLE[0][1].fullmatch(rest)):
+        return Fragment(FragmentKind.REPEAT, positions, times=times)
     if core in _LEFT_AND_RIGHT:
         # The parser takes "left" for a verb.
         return Fragment(FragmentKind.ELEMENTS, positions)
@@ -162,6 +158,19 @@ def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexi
         positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
         is_more = False
     return Fragment(FragmentKind.ELEMENTS, positions, is_more)
+
+
+def _times_at_end(forms: Sequence[str]) -> Tuple[int, int]:
+    """Return the number of times that words end with, and the number of its words: "twice", "four more times"."""
+    for end in range(len(forms), max(0, len(forms) - 2), -1):
+        if end < len(forms) and forms[end] not in _MORE:
+            break
+        for length in (1, 2, 3):
+            said = [form for form in forms[max(0, end - length) : end] if form not in _MORE]
+            times = times_said(said) if length <= end else None
+            if times is not None and times[1] == len(said):
+                return times[0], len(forms) - end + length
+    return 0, 0
 
 
 def _behind_contrast(tree: DependencyTree, said: Sequence[Word]) -> List[Word]:

@@ -3,12 +3,12 @@
 from dataclasses import replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
-from semantic_framer.amending import last_command
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import chosen
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.dialogue import Context, Pending, is_no
+from semantic_framer.fragment_changes import last_command
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_sentence import (
@@ -21,6 +21,7 @@ from semantic_framer.linked_sentence import (
     swallowed_words,
 )
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.news import told_when
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CAREFUL,
@@ -282,6 +283,10 @@ class _Hearing:
             doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
+            news = told_when(sentence, known, best)
+            if news.found:
+                waited = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, news)}" is meant.')
+                return read_linked(sentence, context, self._now, waited, news) or heard
             is_lost = has_lost_link(sentence, best)
             joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
             swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')

@@ -41,6 +41,7 @@ class LinkKind(Enum):
     IN_ORDER = "in this order"  # in the order in which they are said
     REVERSED = "in reverse order"  # the last one first
     FOREVER = "again and again"  # until something else ends it
+    AT_A_TIME = "at a time"  # a part of it each time, again and again until something else ends it
     AT_LEAST = "at least"  # so many times or more
     AT_MOST = "at most"  # so many times or fewer
 

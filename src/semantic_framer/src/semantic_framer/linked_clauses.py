@@ -4,8 +4,8 @@ from dataclasses import replace
 from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clause_plan import PlanPart
-from semantic_framer.conditions import ConditionPart, happens
-from semantic_framer.control import going_on
+from semantic_framer.condition_part import ConditionPart, happens
+from semantic_framer.control import going_on, has_end
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.item_lists import has_items, items_apart
 from semantic_framer.link_file import LinkKind
@@ -19,6 +19,7 @@ _CONTINUING = word_class("continuing_verbs")
 JOINING = word_class("linking_conjunctions") | {";"}
 #: FrameNet's name of what only waits.
 _WAITING = "Waiting"
+_ALL = word_class("determiners_of_all")
 _HERE = word_class("place_adverbs_of_waiting")
 
 
@@ -104,7 +105,7 @@ class LinkedClauses:
         is_open = going_on(readings[0], frames[readings[0].unit.frame_name]) is not None
         first = min(self.positions[part.clause])
         is_kept_up = first > 1 and self._sentence.word(first - 1).form.lower() in _CONTINUING
-        if is_kept_up or is_open:
+        if is_open or (is_kept_up and not has_end(readings[0], frames[readings[0].unit.frame_name])):
             return PlanPart("REPEAT", part.label, (part,))
         return part
 
@@ -123,9 +124,14 @@ class LinkedClauses:
         """Whether a clause has a list of things or places."""
         return has_items(self.readings[clause])
 
+    def is_of_all(self, clause: int) -> bool:
+        """Whether a clause is about all things of a name: "visit *all rooms*"."""
+        reading = self.readings[clause][0] if clause >= 0 else None
+        return reading is not None and any(one.quantifier in _ALL for one in reading.arguments)
+
     def happens(self, condition: ConditionPart) -> bool:
         """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
-        return happens(condition, self._sentence, self._known)
+        return happens(condition, self._sentence.tree, self._known.frames)
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

@@ -37,7 +37,7 @@ _WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER)
 #: How the items of a list, or several deeds, are done.
 _ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED)
 #: How often a deed is done.
-_COUNTS = (LinkKind.FOREVER, LinkKind.AT_LEAST, LinkKind.AT_MOST)
+_COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
 
 
 @dataclass(frozen=True)
@@ -102,6 +102,9 @@ class _Builder:
         self._sentence = sentence
         if any(joint.kind is LinkKind.THEN and joint.limit_s for joint in joints):
             raise NoStructure("a longest time belongs to nothing that waits")
+        kinds = {joint.kind for joint in joints}
+        if LinkKind.AT_A_TIME in kinds and not kinds & {LinkKind.UNTIL, LinkKind.WHILE}:
+            raise Open('How often? Say it with "until", for instance: "until the table is empty".')
         self._orders: List[ItemOrder] = [joint.order for joint in joints if joint.order is not None]
         self._table = LinkedClauses(sentence, known, deeds)
         self._units = self._in_order(joints)
@@ -195,6 +198,8 @@ class _Builder:
             nodes = self._table.items(nodes[0])
         elif len(nodes) == 1 and nodes[0].part.kind == "SEQUENCE":
             nodes = [Node(part, nodes[0].positions) for part in nodes[0].part.children]
+        if len(nodes) == 1 and link.kind is LinkKind.ANY_ORDER and self._table.is_of_all(nodes[0].part.clause):
+            return nodes[0]  # The server that visits all rooms chooses the order itself.
         if len(nodes) < 2:
             raise NoStructure("an order of one deed")
         if link.kind is LinkKind.REVERSED:
@@ -282,7 +287,9 @@ class _Builder:
             return False
         if link.kind in _ORDERS:
             before = self._units[self._place - 1]
-            return before.joint is None and self._table.has_items(before.clause)
+            return before.joint is None and (
+                self._table.has_items(before.clause) or self._table.is_of_all(before.clause)
+            )
         if link.kind in _COUNTS or link.kind is LinkKind.AFTER:
             return True
         if link.before & JOINING:
@@ -342,7 +349,8 @@ class _Builder:
         said = joint.condition
         if said is None:
             raise NoStructure("a link without a condition")
-        if joint.kind is LinkKind.IF and not otherwise and self._table.happens(said):
+        is_only = "only" in joint.words.lower().split()  # "Only if the bell rings" waits for nothing.
+        if joint.kind is LinkKind.IF and not (otherwise or is_only) and self._table.happens(said):
             joint = replace(joint, kind=LinkKind.WHEN)
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
@@ -366,9 +374,10 @@ class _Builder:
             held = condition if is_until else replace(condition, is_negated=not condition.is_negated)
             return Node(PlanPart("WAIT", label, (held,), limit_s=joint.limit_s), whole.positions)
         last = body[-1].part
-        if last.is_endless:
-            last = last.children[0]
-        if last.kind == "DO":
+        if last.is_endless and last.children[0].kind == "DO":
+            deed = self._table.going_on(last.children[0])
+            last = deed if deed.kind == "REPEAT" else replace(last, children=(deed,))
+        elif last.kind == "DO":
             last = self._table.going_on(last)
         parts = [node.part for node in body[:-1]] + [last]
         child = parts[0] if len(parts) == 1 else replace(whole.part, children=tuple(parts))

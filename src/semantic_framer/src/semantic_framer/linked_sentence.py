@@ -15,14 +15,15 @@ from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import with_persons
+from semantic_framer.news import with_news
 from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
-from semantic_framer.reading import Reading, with_argument
+from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, resolve_and_confirm, without_positions
 from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
-from typed_arguments import Source, TimeExpression, TypedArgument
+from typed_arguments import TimeExpression
 from utterance_passes.clauses import find_clauses
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -37,6 +38,7 @@ _MANNERS = (
     LinkKind.IN_ORDER,
     LinkKind.REVERSED,
     LinkKind.FOREVER,
+    LinkKind.AT_A_TIME,
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
@@ -48,9 +50,6 @@ _BACK = word_class("verbs_of_taking_back")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
-#: Links before news that somebody wants to hear: "tell me *when* the oven is off".
-_OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
-_PARTICIPANTS = word_class("participants") | word_class("possessives_of_participants")
 _PERSONS = word_class("persons_of_the_sentence")
 #: Relations of a verb that depends on the one before it.
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
@@ -100,7 +99,7 @@ def read_linked(
     try:
         deeds = [(read.clause, read.kept) for read in clauses]
         kept, plan = without_unused(*linked_plan(sentence, now.known, deeds, joints.found))
-        kept = _with_news(with_persons(kept, now.known.frames), sentence, joints, now)
+        kept = with_news(with_persons(kept, now.known.frames), sentence, joints, now.known)
         if answers_in_a_loop(plan, kept, now.known.frames):
             raise NoStructure("what is answered at once does not go on")
     except Open as question_of:
@@ -156,25 +155,6 @@ def _with_open_time(
     clauses = without_positions(heard.outcome.clauses)
     pending = Pending(clauses, 0, (), now.expires_s, plan=heard.outcome.plan, open_time=words)
     return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
-
-
-def _with_news(clauses: Clauses, sentence: Sentence, joints: Joints, now: Now) -> Clauses:
-    """Return clauses in which what the robot waits for is what it tells: "tell me when the oven is off"."""
-    news = [joint for joint in joints.found if joint.kind in _OF_NEWS and joint.condition is not None]
-    if len(news) != 1 or news[0].condition is None:
-        return clauses
-    positions = sorted(news[0].condition.positions)
-    said = sentence.text(positions).strip(" ,.!?")
-    if _PARTICIPANTS & {sentence.word(index).form.lower() for index in positions}:
-        return clauses  # "You see Anna" would be said of the person.
-    return tuple(tuple(_told(reading, said, now) for reading in readings) for readings in clauses)
-
-
-def _told(reading: Reading, said: str, now: Now) -> Reading:
-    frame = now.known.frames[reading.unit.frame_name]
-    if frame.is_condition or [element.framenet for element in reading.missing] != [MESSAGE]:
-        return reading
-    return with_argument(reading, TypedArgument(reading.missing[0].name, said, Source.INFERRED, words=said))
 
 
 def _is_stop(readings: Tuple[Reading, ...], now: Now) -> bool:

@@ -2,7 +2,7 @@
 
 from typing import Mapping, Optional, Tuple
 
-from semantic_framer.fragments import FragmentKind
+from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.heeding import FrameHeeding
 from semantic_framer.reading import Reading

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from typing import Tuple
 
-from semantic_framer.amending import Change, change_of
 from semantic_framer.choices import choices_left_open
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
+from semantic_framer.fragment_changes import Change, change_of
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
 from semantic_framer.questions import question_readings

@@ -18,6 +18,7 @@ _WORDS_OF_SLOTS: Mapping[str, str] = {
     "word": r"\S+",
     "state": r"\S+",
     "measure": ".+?",
+    "clock": ".+?",
     "destination": ".+?",
     "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
 }

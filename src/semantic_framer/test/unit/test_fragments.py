@@ -215,3 +215,24 @@ def test_next_to_is_a_place_and_no_beginning(talk: Talk) -> None:
     assert isinstance(outcome, Understood) and outcome.beginning == "REPLACE"
     goal = outcome.clauses[0][0].argument("goal")
     assert goal is not None and (goal.text, goal.relation) == ("the plate", "next_to")
+
+
+@pytest.mark.parametrize(
+    ("first", "said", "count"),
+    [
+        ("Turn around.", "Repeat that four times.", 4),
+        ("Turn around.", "three more times", 3),
+        ("Turn around.", "Do it twice more.", 2),
+        ("Turn around twice.", "do that again three times", 6),
+    ],
+)
+def test_a_command_is_repeated_so_many_times(talk: Talk, first: str, said: str, count: int) -> None:
+    talk.say(first)
+    outcome = talk.say(said)
+    assert isinstance(outcome, Understood), outcome
+    assert [readings[0].control.count for readings in outcome.clauses] == [count]
+
+
+def test_several_clauses_are_not_repeated_so_many_times(talk: Talk) -> None:
+    talk.say("Turn around and move forward two metres.")
+    assert isinstance(talk.say("Repeat that four times."), Refusal)

@@ -91,8 +91,9 @@ class Example:
 
 
 #: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word; a word for a
-#: state, "open"; an amount; and, behind "until", a thing or a place that the robot comes to, "until the wall".
-SLOT_KINDS = ("", "place", "word", "state", "measure", "destination")
+#: state, "open"; an amount; a time of the clock; and, behind "until", a thing or a place that the robot comes to,
+#: "until the wall".
+SLOT_KINDS = ("", "place", "word", "state", "measure", "clock", "destination")
 _SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
 
 

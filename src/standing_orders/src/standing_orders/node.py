@@ -369,7 +369,7 @@ class StandingOrdersNode:
                 return "I cannot write that down, so my standing orders stay suspended."
             return " ".join(["I wait again.", *(order.sentence for order in self._book.orders)])
         if frame.name == FORGETTING:
-            phrase = frame["theme"].text
+            phrase = frame["theme"].words or frame["theme"].text  # "Every order", and not "order".
             found = orders_meant(phrase, orders)
             if not found:
                 return f'I have no standing order with "{phrase}".' if orders else "I have no standing order."

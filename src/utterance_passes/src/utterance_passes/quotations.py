@@ -439,4 +439,4 @@ class _Quotation:
     def _is_more_than_a_name(self, index: int) -> bool:
         word = self._tree.word(index)
         is_verb = word.upos in ("VERB", "AUX")
-        return is_verb or word.deprel == "conj" or word.form.lower() in _NEGATIONS | _CONDITIONS
+        return is_verb or word.deprel in ("conj", "mark") or word.form.lower() in _NEGATIONS | _CONDITIONS

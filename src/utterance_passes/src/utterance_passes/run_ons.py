@@ -6,6 +6,7 @@ utterance is cut where a known verb with its own object follows a complete phras
 
 from typing import Sequence, Tuple
 
+from spoken_quantities import find_number
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -20,6 +21,16 @@ _PARTICLES = word_class("verb_particles")
 _SAYING = word_class("saying_verbs")
 _SUBJECTS = word_class("clause_subjects")
 _WITH_A_VERB = word_class("verbs_with_verbs")
+#: Names of times, and the words around them.
+_TIMES = frozenset().union(
+    *(
+        word_class(name)
+        for name in ("periods", "weekdays", "times_of_day", "clock_words", "time_adverbs", "daily_adverbs")
+    )
+)
+_OF_TIMES = frozenset().union(
+    *(word_class(name) for name in ("time_prepositions", "time_determiners", "time_modifiers", "period_determiners"))
+)
 #: Words that join a command to the one before it; the parser handles them.
 _JOINING = frozenset(["and", "then"])
 #: Parts of speech that can end a complete phrase.
@@ -61,13 +72,16 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
         return following == "you" and bool(vocabulary.verbs_beginning_with("".join(said[behind : behind + 1])))
     if not vocabulary.verbs_beginning_with(said[position]) or tags[position] == "AUX":
         return False
-    is_phrasal = following in _PARTICLES and tags[position] == "VERB"
+    # Behind a time, the parser takes the verb for a noun: "at eight turn on the light".
+    is_phrasal = following in _PARTICLES and (tags[position] == "VERB" or _is_time(said[:position]))
     return following in _OBJECTS or (is_phrasal and "".join(said[position + 2 : position + 3]) in _OBJECTS)
 
 
 def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
     """Whether some words are complete, so that a new command can follow them."""
     last, before = said[-1], said[-2] if len(said) > 1 else ""
+    if _is_time(said):
+        return True
     if last in _NEVER_LAST | _SUBJECTS | (_OBJECTS - _OBJECT_PRONOUNS):
         return False
     verbs = {word for word, tag in zip(said, tags) if tag == "VERB"}
@@ -78,3 +92,10 @@ def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
     is_infinitive = tags[-1] == "VERB" and before == "to" and last not in _LEADING_VERBS and last != "help"
     is_particle = tags[-1] == "ADP" and last in _PARTICLES and tags[-2:-1] != ["VERB"]
     return tags[-1] in _COMPLETE or is_predicate or is_infinitive or is_particle
+
+
+def _is_time(said: Sequence[str]) -> bool:
+    """Whether some words only say when: "every day at nine *close the blinds*"."""
+    has_day = any(word in _TIMES for word in said)
+    is_last = said[-1] in _TIMES or find_number(said[-1]) is not None
+    return has_day and is_last and all(word in _TIMES | _OF_TIMES or find_number(word) is not None for word in said)

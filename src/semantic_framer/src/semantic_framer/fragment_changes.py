@@ -1,0 +1,120 @@
+"""What a fragment leads to: the changed command, a question, or a refusal; and which command the next one changes."""
+
+from dataclasses import dataclass
+from typing import Optional, Sequence
+
+from roboframenet_ros.spoken_lists import join_with_or
+from semantic_framer.amending import Clauses, amended, measured
+from semantic_framer.dialogue import Context, LastCommand
+from semantic_framer.fragment_kind import FragmentKind
+from semantic_framer.fragments import Fragment, fragment_of
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import (
+    CORRECTION,
+    DECLINED,
+    QUESTION,
+    REPORT,
+    TALK,
+    WISH,
+    Outcome,
+    Question,
+    Refusal,
+    Understood,
+)
+from semantic_framer.paces import PACES
+from semantic_framer.sentence import Sentence
+from utterance_passes.clauses import Clause
+from word_classes import word_class
+
+_NEGATIONS = word_class("negations")
+#: After these refusals, a fragment still means the command before: no other command was said.
+_NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "NO_VERB"])
+#: Replies quote an utterance without these final marks.
+_MARKS = " .!?,"
+
+
+def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float) -> Optional[LastCommand]:
+    """Return the command that the next fragment may change or repeat.
+
+    A command that was refused or asked about leaves none: the fragment could mean it, and not the command before.
+
+    Args:
+        outcome: of this utterance
+        before: the last command before it
+        said_s: stamp of this utterance, seconds
+    """
+    if isinstance(outcome, Understood):
+        # A command with conditions is not repeated without them.
+        return LastCommand(outcome.clauses, said_s) if outcome.plan is None else None
+    return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
+
+
+@dataclass(frozen=True)
+class Change:
+    """What a fragment leads to.
+
+    Attributes:
+        note: says in the trace what was done
+        outcome: why nothing is done; None if the changed command is carried out
+        clauses: readings of the changed command; empty with an outcome
+        wants_yes: whether the person must first say yes
+    """
+
+    note: str
+    outcome: Optional[Outcome] = None
+    clauses: Clauses = ()
+    wants_yes: bool = False
+
+
+def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, known: FramedLexicon) -> Optional[Change]:
+    """Apply a fragment to the last command.
+
+    Args:
+        sentence: the utterance
+        parsed: its clauses
+        context: what the framer remembers
+        known: lexical units and frames
+    Returns:
+        the change; None if the utterance is to be read as a command
+    """
+    fragment = fragment_of(sentence, parsed, known)
+    if fragment is None:
+        return None
+    said = sentence.tree.text.strip(_MARKS)
+    if context.last is None:
+        # "Not so fast" is said to whatever runs.
+        if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
+            return None
+        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
+        return Change("asked. No command was said before it.", question)
+    before = "; ".join(str(readings[0]) for readings in context.last.clauses)
+    found = amended(fragment, sentence, context.last, known)
+    if len(found) > 1:
+        options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
+        question = Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence.")
+        return Change(f"asked. Several clauses of {before} have such an element.", question)
+    if not found:
+        if not fragment.needs_command:
+            return None
+        reason = f'I do not know what "{said}" means after my last command.'
+        if fragment.kind in PACES:
+            reason = f"I cannot do that {PACES[fragment.kind]}."
+        refusal = Refusal("NO_VERB", reason)
+        return Change(f"refused. It says nothing about {before}.", refusal)
+    clauses = found[0]
+    after = "; ".join(str(readings[0]) for readings in clauses)
+    note = f"{fragment.kind.value}: {before} -> {after}"
+    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
+
+
+def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
+    """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
+    reading = clauses[0][0]
+    frame = known.frames[reading.unit.frame_name]
+    if fragment.kind in PACES:
+        return bool(measured(reading, frame))
+    if fragment.kind is not FragmentKind.ELEMENTS:
+        return False
+    said = {argument.name for argument in reading.arguments if argument.positions}
+    core = {element.name for element in frame.frame_elements if element.is_core}
+    return not said & core and any(argument.measure is not None for argument in reading.arguments)
