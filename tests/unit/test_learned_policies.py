@@ -1,7 +1,8 @@
 """What the policy `learned` is worth: on simulated servers it fails nearly as seldom as an oracle."""
 
 import pytest
-from learned_policies.comparison import DRIFTS, RECOVERY, Learned, above_oracle, compare, run, still_asked
+from learned_policies.comparison import CHOOSERS, DRIFTS, RECOVERY, Learned, above_oracle, compare, run, still_asked
+from learned_policies.home import HomeWithArms
 from learned_policies.simulation import FRAMES, SERVERS, Home
 
 
@@ -47,3 +48,10 @@ def test_learned_fails_at_most_15_percent_more_often_than_an_oracle_and_recovers
     assert total(results, "learned") < 0.7 * total(results, "in_order")
     # What has broken is asked first no more, though each frame was asked only five times in the window of 30 commands.
     assert still_asked(results, "learned", RECOVERY, 2 * RECOVERY)[0] < 0.2
+
+
+@pytest.mark.acceptance
+def test_learned_fails_less_often_in_the_home() -> None:
+    home = HomeWithArms(30)
+    failures = {name: sum(home.run(CHOOSERS[name](None, 1)).failures) for name in ("in_order", "counts", "learned")}
+    assert failures["learned"] < min(failures["in_order"], failures["counts"])

@@ -6,13 +6,13 @@ and asks.
 
 import os
 import sys
-from typing import Any, List, Tuple
+from typing import Any, List, Sequence, Tuple
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.frames import FRAMES, STATEMENTS
 from home_servers.skills import Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
-from offline_pipeline.pipeline import Pipeline
+from offline_pipeline.pipeline import Pipeline, Understanding
 from roboframenet_sim.home_arranging import arranged
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
@@ -61,12 +61,16 @@ class DirectRun:
         speaker: id of the person who speaks
         seed: of persons and faults
         faults: of the home
+        servers: each of them carries out all frames of the home
     """
 
-    def __init__(self, *, speaker: str, seed: int = 0, faults: Faults = NO_FAULTS) -> None:
+    def __init__(
+        self, *, speaker: str, seed: int = 0, faults: Faults = NO_FAULTS, servers: Sequence[str] = ("home",)
+    ) -> None:
         knowledge = load_knowledge([shipped_domains()])
         for frame in FRAMES:
-            assert knowledge.graph.register(frame, "home", stated_profile(STATEMENTS.get(frame, {}))) == ()
+            for server in servers:
+                assert knowledge.graph.register(frame, server, stated_profile(STATEMENTS.get(frame, {}))) == ()
         self._pipeline = Pipeline(knowledge)
         self._speaker, self._seed, self._faults = speaker, seed, faults
         self._plan, self._state = load_home_file(HOME_FILE)
@@ -75,20 +79,29 @@ class DirectRun:
 
     def run(self, command: Command) -> Run:
         """Carry a command out in a home that is arranged for it."""
-        self._count += 1
-        plan, state = self._plan, self._state
-        home = Home(plan, state, seed=self._seed + self._count, faults=self._faults, floor=self._floor)
-        home.start_anew(arranged(plan, home.floor, state, command.arranged))
-        walk = Walk(command)
-        body = _Body(home, walk, most_s=_MOST_S)
+        body, walk = self.body_for(command)
+        plan, home = self._plan, body.home
         before = truth_of(plan, home.state)
         outcome, sentence = self._carry_out(command.text, Skills(body, speaker=self._speaker))
         after = truth_of(plan, home.state)
         said = [Saying(one.what, one.to) for one in home.state.events if one.kind == "said" and one.who == ROBOT]
         return Run(command, before, after, tuple(said), outcome, sentence, tuple(body.reasons), walk.is_over)
 
+    def body_for(self, command: Command) -> Tuple[DirectBody, Walk]:
+        """Return a body in a home that is arranged for a command, and who walks there."""
+        self._count += 1
+        plan, state = self._plan, self._state
+        home = Home(plan, state, seed=self._seed + self._count, faults=self._faults, floor=self._floor)
+        home.start_anew(arranged(plan, home.floor, state, command.arranged))
+        walk = Walk(command)
+        return _Body(home, walk, most_s=_MOST_S), walk
+
+    def understand(self, text: str) -> Understanding:
+        """Return the candidates of a command, or the reply."""
+        return self._pipeline.understand(text)
+
     def _carry_out(self, text: str, skills: Skills) -> Tuple[str, str]:
-        understanding = self._pipeline.understand(text)
+        understanding = self.understand(text)
         if understanding.reply.outcome != "DONE":
             return understanding.reply.outcome, understanding.reply.sentence
         for candidates in understanding.candidates:

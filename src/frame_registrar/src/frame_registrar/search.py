@@ -73,6 +73,8 @@ Found = Union[Tuple[Candidate, ...], Conditions]
 
 #: When several readings fail, the reply gives the most informative reason: the first of these.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
+#: Codes of refusals of what was said of an element, not of the deed.
+_ABOUT_VALUES = ("LIMIT", "VALUE_NOT_ALLOWED")
 #: Limit of sequences that are examined; several paths through the graph may give the same one.
 _MOST_EXAMINED = 100_000
 _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
@@ -181,10 +183,16 @@ def _order(reading: Reading) -> Tuple[int, float]:
 def _search_clause(
     finder: SequenceFinder, readings: Sequence[Reading], max_candidates: int
 ) -> Union[Tuple[Candidate, ...], Refusal]:
-    """Find the candidates of one clause, the likeliest reading first, without duplicates."""
+    """Find the candidates of one clause, the likeliest reading first, without duplicates.
+
+    A reading whose values nobody can do leaves its place only to one that accounts for the same words.
+    """
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
+    refused: List[Reading] = []
     for reading in sorted(readings, key=_order):
+        if any(_loses_words(reading, likelier) for likelier in refused):
+            continue
         frame = finder.graph.frame(reading.frame_name)
         if frame is None:
             name = spoken_name(reading.frame_name)
@@ -197,6 +205,7 @@ def _search_clause(
                 filled = [fill(frame, arguments) for arguments in task]
             except Unfillable as error:
                 refusals.append(Refusal(error.code, str(error)))
+                refused += [reading] if error.code in _ABOUT_VALUES else []
                 continue
             is_found = False
             for frames in islice(finder.find(filled), _MOST_EXAMINED):
@@ -205,7 +214,9 @@ def _search_clause(
                 if len(found) >= max_candidates:
                     return tuple(found.values())
             if not is_found:
-                refusals += finder.why_not(filled)
+                reasons = finder.why_not(filled)
+                refusals += reasons
+                refused += [reading] if any(reason.code in _ABOUT_VALUES for reason in reasons) else []
     if found:
         return tuple(found.values())
     if finder.is_truncated:
@@ -216,6 +227,13 @@ def _search_clause(
         return _NOTHING_UNDERSTOOD
     # min() keeps the first of equals: the likeliest reading.
     return min(refusals, key=_informs)
+
+
+def _loses_words(reading: Reading, likelier: Reading) -> bool:
+    """Whether no element of a reading has some word that an element of a likelier one has."""
+    said = {position for argument in reading.arguments for position in argument.positions}
+    heads = {argument.head_position for argument in likelier.arguments if argument.positions}
+    return not heads - {0} <= said
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, TypedArgument]]]:

@@ -415,3 +415,19 @@ def test_member_of_a_list_keeps_the_relation_that_was_said_once() -> None:
     graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
     found = only(search(graph, [[Reading("taking", (listed("and"),))]], max_candidates=9))
     assert [frame.arguments[0].relation for frame in found[0].frames] == ["under", "behind"]
+
+
+@pytest.mark.parametrize("positions, is_done", [((2,), True), ((3,), False)])
+def test_a_refused_value_gives_way_only_to_a_reading_of_the_same_words(
+    positions: Tuple[int, ...], is_done: bool
+) -> None:
+    graph = graph_of(
+        "name: going\nframe_elements: [{name: goal, is_core: True, relations: [to]}]",
+        "name: looking\nframe_elements: [{name: place}]",
+        servers=(("going", "going"), ("looking", "looking")),
+    )
+    goal = TypedArgument("goal", "the hedge", relation="under", head="hedge", head_position=2, positions=(1, 2))
+    place = TypedArgument("place", "the hedge", head="hedge", head_position=positions[0], positions=positions)
+    found = search(graph, [[Reading("going", (goal,)), Reading("looking", (place,), preference=1)]], max_candidates=9)
+    assert isinstance(found, Refusal) is not is_done
+    assert is_done or (isinstance(found, Refusal) and found.code == "VALUE_NOT_ALLOWED")

@@ -48,6 +48,8 @@ def treat(treatment: str, element: str, tool_element: str = "instrument") -> Ski
 
     def act(skills: Skills, frame: FilledFrame) -> None:
         targets = targets_of(skills, argument(frame, element), treatment)
+        if said(frame, "other_part"):
+            targets += targets_of(skills, argument(frame, "other_part"), treatment)
         tool = fetch_tool(skills, treatment, argument(frame, tool_element))
         for target in targets:
             if treatment == "mix" and said(frame, "container"):

@@ -11,22 +11,33 @@ from nav_msgs.msg import Odometry
 from move_action_server.motion import OdometrySample
 
 
-class _EncodedOdometry(Odometry):
-    """An odometry message that is kept as it was sent.
+class UnreadOdometry(Odometry):
+    """An odometry message that is read when one of its fields is asked for.
 
-    A base sends fifty messages a second, also while it stands; reading them all costs a per cent of a core.
+    A base sends fifty messages a second, also while it stands; reading them all costs a per cent of a core. In one
+    process, all subscribers of a topic get messages of the class that the first of them named, so this one has the
+    fields of the message.
     """
 
-    __slots__ = ("encoded",)
+    __slots__ = ("_encoded",)
 
     def __init__(self) -> None:
-        """Hold nothing; the fields of the message are never made."""
-        self.encoded = b""
+        """Hold nothing; the fields are made when they are asked for."""
+        self._encoded = b""
 
-    def deserialize(self, encoded: bytes) -> "_EncodedOdometry":
+    def deserialize(self, encoded: bytes) -> "UnreadOdometry":
         """Keep what was sent."""
-        self.encoded = encoded
+        self._encoded = encoded
         return self
+
+    def __getattr__(self, name: str) -> object:
+        """Read the message. Python asks here for fields that have no value yet."""
+        if name not in Odometry.__slots__:
+            raise AttributeError(name)
+        Odometry.__init__(self)
+        if self._encoded:
+            Odometry.deserialize(self, self._encoded)
+        return object.__getattribute__(self, name)
 
 
 def sample_of(message: Odometry) -> OdometrySample:
@@ -51,18 +62,18 @@ class LatestOdometry:
 
     def __init__(self) -> None:
         self._condition = threading.Condition()
-        self._encoded = b""
+        self._message: Optional[Odometry] = None
         self._count = 0
-        self._subscriber = rospy.Subscriber("odom", _EncodedOdometry, self._take, queue_size=1, tcp_nodelay=True)
+        self._subscriber = rospy.Subscriber("odom", UnreadOdometry, self._take, queue_size=1, tcp_nodelay=True)
 
     @property
     def topic(self) -> str:
         """Resolved name of the topic."""
         return self._subscriber.resolved_name
 
-    def _take(self, message: _EncodedOdometry) -> None:
+    def _take(self, message: Odometry) -> None:
         with self._condition:
-            self._encoded = message.encoded
+            self._message = message
             self._count += 1
             self._condition.notify_all()
 
@@ -80,8 +91,8 @@ class LatestOdometry:
     def latest(self) -> Optional[OdometrySample]:
         """Return the newest sample; None if there is none, or if its numbers are not finite."""
         with self._condition:
-            encoded = self._encoded
-        return self._read(encoded) if encoded else None
+            message = self._message
+        return self._read(message) if message is not None else None
 
     def wait_newer(self, *, than: int, timeout_s: float) -> Tuple[Optional[OdometrySample], int]:
         """Wait for a usable sample behind the ``than``-th message, or until the thread is woken.
@@ -94,16 +105,16 @@ class LatestOdometry:
             with self._condition:
                 if self._count <= than:
                     self._condition.wait(max(0.0, end_s - time.monotonic()))
-                encoded, count = self._encoded, self._count
-            if count <= than:
+                message, count = self._message, self._count
+            if count <= than or message is None:
                 return None, count
-            sample = self._read(encoded)
+            sample = self._read(message)
             if sample is not None or time.monotonic() >= end_s:
                 return sample, count
             than = count
 
-    def _read(self, encoded: bytes) -> Optional[OdometrySample]:
-        sample = sample_of(Odometry().deserialize(encoded))
+    def _read(self, message: Odometry) -> Optional[OdometrySample]:
+        sample = sample_of(message)
         if sample.is_finite():
             return sample
         rospy.logerr_throttle(1.0, "odometry with numbers that are not finite on %s", self.topic)

@@ -105,7 +105,10 @@ class PhraseTypes:
         if word.upos == "PROPN" or is_name:
             types = self._of_proper_noun(word, types)
         complement = self._complement(word, types)
-        if complement:
+        if complement and word.upos == "ADJ":
+            # "The largest of the cups" is a cup.
+            types = self.of(complement)
+        elif complement:
             types = combined(((self.of(complement), _OF_COMPLEMENT), (types, 1.0 - _OF_COMPLEMENT)))
         return types
 
@@ -178,11 +181,13 @@ class PhraseTypes:
         return combined(((_NAMED, share), (as_common, 1.0 - share)))
 
     def _complement(self, word: Word, types: Likelihoods) -> int:
-        """Return the head of the of-phrase of a measure: "coffee" in "a cup of coffee"; 0 if there is none."""
-        if types.share(["Quantity"]) < UNLIKELY and word.lemma.lower() not in _MEASURE_NOUNS:
+        """Return the head of the of-phrase of a measure or of an adjective: "coffee" in "a cup of coffee", "cups" in
+        "the largest of the cups"; 0 if there is none."""
+        is_measure = types.share(["Quantity"]) >= UNLIKELY or word.lemma.lower() in _MEASURE_NOUNS
+        if not is_measure and word.upos != "ADJ":
             return 0
         for child in self._tree.children(word.index):
             cases = [inner.form.lower() for inner in self._tree.children(child.index) if inner.deprel == "case"]
-            if child.deprel == "nmod" and cases == ["of"]:
+            if child.deprel in ("nmod", "obl") and cases == ["of"]:
                 return child.index
         return 0

@@ -30,6 +30,7 @@ _QUESTION_WORDS = word_class("question_words")
 _RELATIVE_WORDS = word_class("relative_words")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
 _BEING_LOCATED, _THEME, _LOCATION = "being_located", "theme", "location"
+_BEFORE_LISTS = word_class("words_before_lists")
 _CLITICS = frozenset(["'s", "'", "’s", "’"])
 
 
@@ -202,9 +203,7 @@ class Phrases:
         groups[-1] |= attached
         found = []
         for member, group in zip([head] + conjuncts, groups):
-            words = [
-                index for index in sorted(group) if tree.word(index).upos != "PUNCT" and tree.word(index).deprel != "cc"
-            ]
+            words = [index for index in sorted(group) if not self._is_of_the_list(index, head)]
             prepositions = _prepositions(tree, member)
             extent = _Extent(tuple(words), prepositions & frozenset(words))
             if not extent.bare:
@@ -212,6 +211,13 @@ class Phrases:
             plain = self._plain(member, extent, form)
             found.append(self._described(plain, member, extent, left_out | later if member == head else left_out))
         return tuple(found) if len(found) > 1 else ()
+
+    def _is_of_the_list(self, index: int, head: int) -> bool:
+        """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate"."""
+        word = self._tree.word(index)
+        # "Both mugs and the plate": there are two mugs.
+        is_before = index < head and word.form.lower() in _BEFORE_LISTS and not is_plural(self._tree.word(head))
+        return word.upos == "PUNCT" or word.deprel == "cc" or is_before
 
     def _attached_heads(self, attached: FrozenSet[int], own: FrozenSet[int]) -> List[int]:
         """Return the heads of phrases that belong to the noun although the tree attaches them to the verb."""

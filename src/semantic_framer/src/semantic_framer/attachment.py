@@ -2,7 +2,7 @@
 for it.
 """
 
-from typing import AbstractSet, Collection, FrozenSet, Sequence, Tuple
+from typing import AbstractSet, Collection, Container, FrozenSet, List, Sequence, Tuple
 
 from semantic_frames.extra_thematic import is_of_every_action
 from utterance_passes.tree import DependencyTree
@@ -13,6 +13,7 @@ _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
+_INDEFINITES = word_class("indefinites")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
@@ -158,3 +159,28 @@ def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]
         other in used and tree.word(other).form.lower() in its and tree.word(index).form.lower() in own
         for other, (its, own) in beside.items()
     )
+
+
+def nouns_behind_particle(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
+    """Return the noun that the parser takes for a place behind a particle of the verb: "plug in *the charger*"."""
+    particles = [tree.word(index) for index in verb[1:]]
+    return [one.head for one in particles if one.deprel == "case" and tree.word(one.head).deprel == "obl"]
+
+
+def is_all_at_first_of_two_places(tree: DependencyTree, noun: int) -> bool:
+    """Whether the first of two places says which things are meant: "put *everything on the table* in the box"."""
+    if tree.word(noun).form.lower() not in _INDEFINITES:
+        return False
+    places = [child.index for child in tree.children(noun) if child.deprel == "nmod"]
+    return any(
+        inner.deprel == "nmod" and any(word.deprel == "case" for word in tree.children(inner.index))
+        for place in places
+        for inner in tree.children(place)
+    )
+
+
+def is_part_of_used_name(tree: DependencyTree, index: int, used: Container[int]) -> bool:
+    """Whether a word is part of a used name: "living" in "living room"."""
+    word = tree.word(index)
+    # A number is not part of a name: "five foot thirteen" must not become five feet.
+    return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"

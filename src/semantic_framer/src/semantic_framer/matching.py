@@ -8,12 +8,15 @@ from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
     behind_description,
     has_postmodifiers,
+    is_all_at_first_of_two_places,
     is_direction,
     is_later_item,
     is_of_one_direction,
     is_of_something,
+    is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
+    nouns_behind_particle,
     persons_behind,
     places_before,
     words_before,
@@ -275,6 +278,7 @@ class _Filling:
             for governor in governors:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
+                    found += nouns_behind_particle(self._sentence.tree, self._match.positions) if step == "dobj" else []
                     found += self._reattached(path.preposition, is_core)
                     goals = self._sentence.goals if step in _TOWARDS else ()
                     if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
@@ -290,7 +294,8 @@ class _Filling:
             return []
         found: List[int] = []
         for noun, is_object in self._nouns:
-            found += self._sentence.dependents(noun, f"prep_{preposition}")
+            if not (is_core and is_all_at_first_of_two_places(self._sentence.tree, noun)):
+                found += self._sentence.dependents(noun, f"prep_{preposition}")
             # "Bring the plant on the shelf near the window": the window is the goal, not part of the shelf.
             for inner in self._sentence.children(noun) if is_object else ():
                 below = self._sentence.dependents(inner.index, f"prep_{preposition}")
@@ -431,7 +436,7 @@ class _Filling:
             for index in content
             if index not in used
             and index != self._subject
-            and not self._hangs_on_used(index, used)
+            and not is_part_of_used_name(self._sentence.tree, index, used)
             and not is_of_one_direction(self._sentence.tree, index, used)
         )
         unread = [amount for amounts in self._unread.values() for amount in amounts]
@@ -439,9 +444,3 @@ class _Filling:
         said = {index for amount in unread for index in amount.positions if self._sentence.word(index).upos != "PUNCT"}
         left_over = tuple(sorted((said - used).union(left_over)))
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
-
-    def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
-        """Whether a word is part of a used name: "living" in "living room"."""
-        word = self._sentence.word(index)
-        # A number is not part of a name: "five foot thirteen" must not become five feet.
-        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"

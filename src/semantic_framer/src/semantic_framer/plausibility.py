@@ -86,6 +86,15 @@ def _measured(reading: Reading) -> FrozenSet[int]:
     return frozenset(position for value in reading.arguments if value.measure for position in value.positions)
 
 
+def is_asked_about_elsewhere(filled: Filled) -> bool:
+    """Whether a word has the wrong type here, and the right one in a reading that only lacks an element: "take Anna"
+    asks where to, not whether Anna is a thing."""
+    return any(wrong.name == filled.value.name for wrong in filled.reading.wrong_types) and any(
+        other.missing and not other.wrong_types and filled.head.index in other.listed and not other.left_over
+        for other in filled.beside
+    )
+
+
 def is_numbered_place(filled: Filled) -> bool:
     """Whether a number is taken for the place of something: "set the vase to 20"."""
     if not filled.roles & PLACES or filled.head.upos != "NUM":
@@ -226,6 +235,6 @@ def is_listed_elsewhere(filled: Filled) -> bool:
     is_bare = not any(child.deprel in ("det", "nmod:poss") for child in filled.tree.children(head.index))
     is_new = is_bare or is_indefinite(filled.tree, head.index)
     return (head.upos == "NOUN" and head.deprel == "obj" and is_new) and any(
-        head.index in other.listed and other.unit.frame_name != filled.reading.unit.frame_name
+        head.index in other.listed and other.unit.frame_name != filled.reading.unit.frame_name and not other.missing
         for other in filled.beside
     )

@@ -1,7 +1,7 @@
 """Verdicts that refuse a clause or drop readings: each has a name and a reason, and they run in a fixed order."""
 
 from dataclasses import dataclass
-from typing import Callable, FrozenSet, Iterable, Optional, Tuple
+from typing import Callable, Iterable, Optional, Tuple
 
 from roboframenet_ros.spoken_lists import join_with_or
 from semantic_framer import plausibility
@@ -245,6 +245,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_unread_elsewhere),
     ),
     ReadingVerdict(
+        "asked_about_elsewhere",
+        'A person is taken for a thing, and a reading that has a person there lacks an element: "take Anna".',
+        _of_any_value(plausibility.is_asked_about_elsewhere),
+    ),
+    ReadingVerdict(
         "number_is_no_place",
         'A number is taken for the place of something: "set the thermostat to 20".',
         _of_any_value(plausibility.is_numbered_place),
@@ -270,9 +275,7 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
     ),
-    ReadingVerdict(
-        "side_is_no_thing", 'A side is taken for a thing: "take a right".', _of_any_value(plausibility.is_side)
-    ),
+    ReadingVerdict("side_is_no_thing", 'A side is taken for a thing: "a right".', _of_any_value(plausibility.is_side)),
     ReadingVerdict(
         "side_of_the_place_before",
         'A side behind a place is taken for another place to go to: "through the door on the left".',
@@ -398,11 +401,8 @@ def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading,
 def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
     if not reading.listed or reading.missing:
         return False
-    return any(reading.listed < other.listed or _named(reading) < _named(other) for other in beside)
-
-
-def _named(reading: Reading) -> FrozenSet[int]:
-    return reading.listed | frozenset(reading.verb_positions)
+    named = reading.listed.union(reading.verb_positions)
+    return any(reading.listed < one.listed or named < one.listed.union(one.verb_positions) for one in beside)
 
 
 #: The verdicts run one after the other; each compares a reading with the remaining ones, likeliest first.

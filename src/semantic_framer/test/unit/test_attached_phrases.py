@@ -34,6 +34,8 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Und
         ("Let Ben know that the taxi is here.", "telling(message=the taxi is here, addressee=Ben)"),
         ("Set the oven to 200 degrees.", "switching_device(device=the oven, operational_state=200 degrees)"),
         ("Take the red mug, not the white one, to my desk.", "bringing(theme=the red mug, goal=my desk)"),
+        # What tells a thing apart is no second thing.
+        ("Hand me that screwdriver, the small one.", "giving(theme=that screwdriver, the small one, recipient=me)"),
         ("Stand in the square.", "navigating_to_location(goal=the square)"),
         # Spellings.
         ("Turn ninety degrees counter-clockwise.", "turning(direction=counterclockwise, angle=90, angle_unit=degrees)"),

@@ -1,6 +1,6 @@
 """The meaning of a phrase, as the typed argument says it: real sentences and the shipped models."""
 
-from typing import Any, Dict
+from typing import Any, Dict, List
 
 import pytest
 
@@ -129,3 +129,17 @@ def test_pronoun_is_inferred(understand: Any) -> None:
 def test_two_directions_are_two_turns(understand: Any) -> None:
     found = argument(understand("Turn to the left and then to the right.")[0], "direction")
     assert [member.text for member in found.members] == ["left", "right"]
+
+
+@pytest.mark.parametrize(
+    "text, element, members",
+    [
+        ("Go either to the kitchen or to the hall.", "goal", ["the kitchen", "the hall"]),
+        ("Take both the cup and the plate.", "theme", ["the cup", "the plate"]),
+        ("Take both mugs and the plate.", "theme", ["both mugs", "the plate"]),
+    ],
+)
+def test_words_before_a_list_are_part_of_no_member(
+    understand: Any, text: str, element: str, members: List[str]
+) -> None:
+    assert [member.text for member in argument(understand(text)[0], element).members] == members

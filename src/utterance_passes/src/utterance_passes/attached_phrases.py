@@ -14,7 +14,9 @@ _HANDS = word_class("hands")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOT = word_class("not")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+_ONES = frozenset(["one", "ones"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
+_OPPOSITE_SIDES = word_class("opposite_sides")
 _ORDINALS = word_class("ordinals")
 #: Relations of phrases that are added to a deed.
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
@@ -98,6 +100,18 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make one thing of a thing and the words that tell it apart: "that mug, *the small one*" is no list."""
+    edit = TreeEdit(tree)
+    for one in tree.words:
+        children = [child for child in tree.children(one.index) if child.index < one.index]
+        forms = [child.form.lower() for child in children]
+        is_told_apart = one.form.lower() in _ONES and "the" in forms and "," in forms
+        if one.deprel == "conj" and is_told_apart and not any(child.deprel == "cc" for child in children):
+            edit.relabel(one.index, "appos")
+    return edit.tree()
+
+
 def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing."""
     edit = TreeEdit(tree)
@@ -141,7 +155,9 @@ def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        if word.deprel not in _OF_PHRASES or word.upos not in _NOUNS or not _is_contrast(tree, word):
+        is_side = word.deprel == "advmod" and word.form.lower() in _OPPOSITE_SIDES
+        is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
+        if not (is_side or is_phrase) or not _is_contrast(tree, word):
             continue
         for index in tree.subtree(word.index):
             edit.rehang(index, word.head, ASIDE)

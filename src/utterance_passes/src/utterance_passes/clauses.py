@@ -28,6 +28,7 @@ _QUESTION_WORDS = word_class("question_words")
 _REQUEST_VERBS = word_class("request_verbs")
 #: Words that forbid behind "make sure"; "make sure *nobody* comes in" says how things shall be.
 _FORBIDDING = _NEGATIONS - _NO_THINGS
+_WHETHER = word_class("whether_words")
 #: Relations of clauses that state something inside an order.
 _STATING = ("ccomp", "advcl", "acl", "csubj")
 
@@ -177,6 +178,7 @@ def _collect(
         _collect(tree, vocabulary, assured, is_negated, found)
         return
     wraps = word.lemma.lower() in _REQUEST_VERBS and not _asks_somebody_else(vocabulary, word, children)
+    wraps = wraps and not (wrapped is not None and _asks_about_others(tree, wrapped))
     if (wrapped is not None and wraps) or (
         wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1
     ):
@@ -211,6 +213,14 @@ def _collect(
         ):
             # "Don't move or speak" negates both verbs; "don't move, just speak" is rare, and it is safe not to act.
             _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
+
+
+def _asks_about_others(tree: DependencyTree, clause: Word) -> bool:
+    """Whether a clause asks about somebody else: "ask *whether anybody is hungry*" wraps no request."""
+    children = tree.children(clause.index)
+    subjects = [child for child in children if child.deprel.startswith("nsubj")]
+    is_question = any(child.form.lower() in _WHETHER for child in children)
+    return is_question and bool(subjects) and all(one.form.lower() not in _HEARERS for one in subjects)
 
 
 def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:

@@ -235,9 +235,11 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_thing(tree: DependencyTree, word: Word) -> bool:
-    """Whether "one" is a thing and no number: "next to *the right one*" at the end."""
+    """Whether "one" is a thing and no number: "next to *the right one*", "*your left one*" at the end."""
     is_last = all(other.upos == "PUNCT" for other in tree.words[word.index :])
-    is_one = word.form.lower() == "one" and any(child.deprel == "det" for child in tree.children(word.index))
+    is_one = word.form.lower() == "one" and any(
+        child.deprel in ("det", "nmod:poss") for child in tree.children(word.index)
+    )
     return is_one and is_last
 
 

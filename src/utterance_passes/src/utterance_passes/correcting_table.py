@@ -14,6 +14,7 @@ from utterance_passes import (
     relations,
 )
 from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.vocabulary import Speech, Verbs
 
 #: Attach words where they can belong in a command; the words stay the same.
 PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
@@ -36,6 +37,21 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_asked_clauses,
+    ),
+    TreePass(
+        "told_predicates",
+        "Make a clause of a predicate behind the question that is to be told.",
+        Example(
+            "tell|VERB|0|root what|DET|3|det day|NOUN|1|obj is|AUX|1|cop|be Monday|PROPN|1|obl:unmarked",
+            (
+                "day: obj(tell) -> nsubj(Monday)",
+                "is: cop(tell) -> cop(Monday)",
+                "Monday: obl:unmarked(tell) -> ccomp(tell)",
+            ),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_told_predicates,
     ),
     TreePass(
         "hands_at_verbs",
@@ -79,6 +95,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         attached_phrases.with_purposes_of_things,
+    ),
+    TreePass(
+        "things_named_again",
+        'Make one thing of a thing and the words that tell it apart: "that mug, the small one".',
+        Example(
+            "take|VERB|0|root mugs|NOUN|1|obj ,|PUNCT|6|punct the|DET|6|det small|ADJ|6|amod one|NOUN|2|conj",
+            ("one: conj(mugs) -> appos(mugs)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_things_named_again,
     ),
     TreePass(
         "exceptions",
@@ -285,6 +311,20 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         places_told.with_inverted_places,
+    ),
+    TreePass(
+        "places_shown",
+        "Make the place that somebody asks to be shown a goal.",
+        Example(
+            "show|VERB|0|root Bob|PROPN|1|iobj where|ADV|1|ccomp it|PRON|3|nsubj is|AUX|3|cop|be",
+            (
+                "where: ccomp(show) ADV/where -> case(it) ADP/where",
+                "it: nsubj(where) -> obl(show)",
+                "is: cop(where) -> discourse:aside(show)",
+            ),
+        ),
+        Stage.FRAMER,
+        places_told.with_places_shown,
     ),
     TreePass(
         "places_told",

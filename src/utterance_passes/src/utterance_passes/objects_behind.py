@@ -2,6 +2,7 @@
 
 from typing import Tuple
 
+from semantic_types import Fit, shipped_types
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -29,7 +30,7 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             continue
         objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
         if not objects:
-            for word in _unjoined(tree, verb)[:1]:
+            for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
                 edit.rehang(word.index, verb.index, "obj")
         elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
             edit.relabel(objects[0].index, "iobj")
@@ -60,6 +61,20 @@ def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bo
     """Whether the second object stands right behind the first, which is a person: "offer *the guests* some tea"."""
     is_behind = max(tree.subtree(first.index)) + 1 == min(tree.subtree(second.index))
     return is_behind and first.deprel == second.deprel == "obj" and is_person(first)
+
+
+def _unmarked(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
+    """Return the nouns of phrases with an article and without a preposition behind another phrase of a verb: "bring to
+    Bob at the table *the dish*"."""
+    children = tree.children(verb.index)
+    behind = min((child.index for child in children if child.deprel == "obl" and child.index > verb.index), default=0)
+    return tuple(
+        child
+        for child in children
+        if behind and child.index > behind and child.deprel in ("obl", "obl:unmarked", "dep") and child.upos in _NOUNS
+        if _begins_with_article(tree, child)
+        if shipped_types().of_noun([child.form.lower(), child.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
+    )
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:

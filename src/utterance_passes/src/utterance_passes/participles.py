@@ -91,12 +91,16 @@ def _hang_behind(tree: DependencyTree, edit: TreeEdit, gerund: Word, person: Wor
 
 
 def _described(tree: DependencyTree, participle: Word) -> Optional[Word]:
-    if participle.deprel.split(":")[0] not in _OF_THE_VERB or participle.index < 3:
+    if participle.index < 3:
+        return None
+    noun = tree.word(participle.index - 1)
+    # "Say the time to the man *waving* at the door": not the time is waving.
+    is_of_another = participle.deprel == "acl" and participle.xpos == "VBG" and noun.head == participle.head
+    if participle.deprel.split(":")[0] not in _OF_THE_VERB and not (is_of_another and is_person(noun)):
         return None
     # "And dancing", "by dancing" and "dancing" after a comma describe nothing.
     if min(tree.subtree(participle.index)) != participle.index:
         return None
-    noun = tree.word(participle.index - 1)
     is_noun = noun.upos in ("NOUN", "PROPN") or noun.form.lower() in _INDEFINITE_PERSONS
     if not is_noun or noun.index == participle.head or noun.deprel == "compound":
         return None

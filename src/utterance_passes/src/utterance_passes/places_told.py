@@ -10,6 +10,7 @@ from word_classes import word_class
 _FINDING = word_class("finding_verbs")
 _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
+_SHOWING = word_class("showing_verbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of words that belong to a clause, not to the noun that is its predicate.
@@ -60,6 +61,26 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
     edit.rehang(verb.index, place.index, "cop")
     edit.tag(verb.index, "AUX", "VBZ", "Mood=Ind|Tense=Pres|VerbForm=Fin")
     edit.respell(verb.index, "is", lemma="be")
+    return edit.tree()
+
+
+def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make the place that somebody asks to be shown a goal: "show Bob *where it is*" guides him."""
+    edit = TreeEdit(tree)
+    for where in tree.words:
+        verb = tree.word(where.head) if where.head else where
+        children = tree.children(where.index)
+        subjects = [child for child in children if child.deprel == "nsubj" and child.index > where.index]
+        copulas = [child for child in children if child.deprel == "cop"]
+        is_where = where.form.lower() == "where" and where.deprel in ("ccomp", "xcomp", "advcl", "obj")
+        if not is_where or verb.lemma.lower() not in _SHOWING or len(subjects) != 1 or len(copulas) != 1:
+            continue
+        edit.retag(where.index, "ADP", "IN")
+        edit.rehang(where.index, subjects[0].index, "case")
+        edit.rehang(subjects[0].index, verb.index, "obl")
+        for child in children:
+            if child.index != subjects[0].index:
+                edit.rehang(child.index, verb.index, ASIDE if child.deprel == "cop" else "")
     return edit.tree()
 
 

@@ -225,9 +225,13 @@ class _Quotation:
         )
         told: FrozenSet[int] = frozenset()
         for child in children:
-            is_person = child.deprel == "iobj" or (child.deprel == "obj" and is_clause)
+            # "Tell *what day* it is to Bob": the object is a part of the message.
+            is_asked = self._tree.word(self._start).form.lower() in _QUESTION_WORDS
+            is_person = not is_asked and (child.deprel == "iobj" or (child.deprel == "obj" and is_clause))
             if is_person and min(self._tree.subtree(child.index)) == self._start:
                 told = self._tree.subtree(child.index)
+                if self._is_everything(told):
+                    told = self._told_before_question() or self._told_before_noun_phrase() or told
                 self._moved.update({} if child.deprel == "iobj" else {child.index: (self._verb, "iobj")})
                 break
         owner = self._tree.word(self._start) if self._start < self._end - 2 else None
@@ -253,19 +257,22 @@ class _Quotation:
         told = told or self._told_before_question() or self._told_before_clause() or self._told_before_noun_phrase()
         self._start = max(told) + 1 if told else self._start
 
+    def _is_everything(self, told: FrozenSet[int]) -> bool:
+        """Whether the addressee has all words: "tell *the man raising his arm dinner is ready*"."""
+        words = self._tree.words[self._start - 1 : self._end - 1]
+        return all(one.index in told or one.upos == "PUNCT" for one in words)
+
     def _told_before_question(self) -> FrozenSet[int]:
         """Return the words of a person before an indirect question: "tell *the man at the door* what day it is"."""
         words = self._tree.words[self._start - 1 : self._end - 1]
         question = next((word.index for word in words if word.form.lower() in _QUESTION_WORDS), 0)
         before = [word for word in words if word.index < question]
         person = next((word for word in before if is_person(word) and word.head == self._verb), None)
-        if (
-            person is None
-            or before[0].upos not in ("DET", "NOUN", "PROPN", "PRON")
-            or not self._has_verb(range(question, self._end))
-        ):
+        is_told = person is not None and before[0].upos in ("DET", "NOUN", "PROPN", "PRON")
+        if person is None or not is_told or not self._has_verb(range(question, self._end)):
             return frozenset()
         self._moved[person.index] = (self._verb, "iobj")
+        self._is_all_behind = self._is_everything(self._tree.subtree(person.index))
         return frozenset(word.index for word in before)
 
     def _told_before_clause(self) -> FrozenSet[int]:
@@ -374,9 +381,9 @@ class _Quotation:
         if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
             return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
-        # In "say what day it is to Bob" the parser may take Bob for a predicate.
         if self._case(child.index) == "to":
-            return not any(inner.deprel == "cop" for inner in self._tree.children(child.index))
+            # In "say what day it is to Bob" the parser may take Bob for a predicate.
+            return all(inner.deprel != "cop" for inner in self._tree.children(child.index))
         if relation in ("obl", "nmod", "advmod"):
             return child.form.lower() not in _NEGATIONS and not self._has_verb(inside)
         return False

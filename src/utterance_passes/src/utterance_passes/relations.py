@@ -9,6 +9,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ASKING = word_class("asking_verbs")
+_QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
 
 
@@ -60,6 +61,28 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
 
 def _is_infinitive(tree: DependencyTree, word: Word) -> bool:
     return any(child.deprel == "mark" and child.form.lower() == "to" for child in tree.children(word.index))
+
+
+def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a clause of a predicate behind the question that is to be told: "tell what day *is tomorrow*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        following = tree.word(verb.index + 1).form.lower() if verb.index < len(tree.words) else ""
+        is_saying = any(vocabulary.speech_of(one) for one in vocabulary.verbs_beginning_with(verb.lemma.lower()))
+        if not is_saying or following not in _QUESTION_WORDS:
+            continue
+        below = (tree.word(index) for index in sorted(tree.subtree(verb.index)) if index > verb.index)
+        copula = next((word for word in below if word.deprel == "cop"), None)
+        predicate = tree.word(copula.index + 1) if copula is not None and copula.index < len(tree.words) else None
+        if copula is None or predicate is None or predicate.head != verb.index or predicate.deprel.startswith("ccomp"):
+            continue
+        edit.relabel(predicate.index, "ccomp")
+        edit.rehang(copula.index, predicate.index)
+        between = tree.words[verb.index : copula.index - 1]
+        for word in between:
+            if not verb.index < word.head < copula.index:
+                edit.rehang(word.index, predicate.index, "nsubj")
+    return edit.tree()
 
 
 def with_asked_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

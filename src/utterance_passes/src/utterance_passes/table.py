@@ -183,6 +183,27 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.adverbs,
     ),
     TagPass(
+        "gerunds_as_nouns",
+        "Tag a gerund between a verb and a noun as a noun if the verb takes no gerund.",
+        Example("bring|VERB cleaning|VERB stuff|NOUN", ("2 NOUN NN",), Verbs(frozenset(["bring"]))),
+        Stage.PARSER,
+        tagging.gerunds_as_nouns,
+    ),
+    TagPass(
+        "names_as_verbs",
+        "Tag a word with a capital inside a sentence as a name that the tagger took for a verb.",
+        Example("greet|VERB Bob|PROPN and|CCONJ Lisa|VERB", ("4 PROPN NNP",), Verbs(frozenset(["greet"]))),
+        Stage.PARSER,
+        tagging.names_as_verbs,
+    ),
+    TagPass(
+        "contracted_verbs",
+        'Tag "\'s" as a verb where no noun follows that somebody could own.',
+        Example("tell|VERB them|PRON dinner|NOUN 's|PART in|ADP halls|NOUN", ("4 AUX VBZ",), Verbs()),
+        Stage.PARSER,
+        tagging.contracted_verbs,
+    ),
+    TagPass(
         "verbs_of_conditions",
         "Tag a verb between the subject and the object of a condition that the tagger took for a noun.",
         Example("when|ADV Bob|PROPN leaves|NOUN the|DET office|NOUN", ("3 VERB VBZ",), Verbs()),

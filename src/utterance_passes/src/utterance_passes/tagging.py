@@ -10,9 +10,11 @@ from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_BEFORE_GERUNDS = word_class("aspectual_verbs") | word_class("verbs_before_gerunds")
 _CONDITIONS = word_class("conditions")
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
+_NEVER_OWNERS = word_class("pronouns_before_is")
 _PERSONS = word_class("personal_subjects")
 _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
@@ -101,6 +103,41 @@ def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         if not form.lower().endswith(_COMPARING)
         for parts in [parts_of_speech(form)]
         if ADVERB in parts and not parts & {NOUN, VERB}
+    )
+
+
+def gerunds_as_nouns(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a gerund between a verb and a noun as a part of the noun, if the verb takes no gerund: "bring *cleaning*
+    supplies". "Try opening doors" has two verbs."""
+    return tuple(
+        Retag(position, "NOUN", "NN", "Number=Sing")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "VERB" and form.lower().endswith("ing") and 1 < position < len(forms)
+        if tags[position - 2] == "VERB" and tags[position] == "NOUN"
+        for verb in [forms[position - 2].lower()]
+        if vocabulary.verbs_beginning_with(verb) and verb not in _BEFORE_GERUNDS
+    )
+
+
+def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word with a capital inside a sentence as a name if English knows no such verb: "give Tom a cup and *Lisa* a
+    fork"."""
+    return tuple(
+        Retag(position, "PROPN", "NNP", "Number=Sing")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "VERB" and position > 1 and form.istitle() and forms[position - 2] not in (".", "!", "?", '"')
+        if VERB not in parts_of_speech(form.lower()) and not vocabulary.verbs_beginning_with(form.lower())
+    )
+
+
+def contracted_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag "'s" as a verb where no noun follows that somebody could own: "tell them dinner*'s* in the hall"."""
+    return tuple(
+        Retag(position, "AUX", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin", "be")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if form.lower() == "'s" and tag == "PART" and 1 < position < len(forms)
+        if forms[position - 2].lower() in _NEVER_OWNERS
+        or (tags[position - 2] == "NOUN" and tags[position] in ("ADP", "DET", "PRON"))
     )
 
 

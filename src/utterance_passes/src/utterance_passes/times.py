@@ -73,6 +73,9 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     while first > 1 and (forms[first - 2] in _BEFORE_TIMES or _is_number(forms[first - 2])):
         first -= 1
     preposition = forms[first - 2] if first > 1 else ""
+    # "Turn to 3 o'clock" says where to; "ten to 3 o'clock" is a time.
+    if word in _CLOCK and preposition == "to" and not (first > 2 and _is_of_a_time(forms[first - 3])):
+        return 0
     # "Hold on a second" says how long, not when.
     if preposition == "on" and singular in _SHORT_PERIODS:
         return 0
@@ -88,6 +91,10 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     if is_number and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
         return end - 1
     return 0
+
+
+def _is_of_a_time(form: str) -> bool:
+    return form in _TIMES or _is_number(form)
 
 
 def _continues(tree: DependencyTree, end: int, *, is_number: bool) -> bool:
