@@ -3,7 +3,8 @@
 from dataclasses import replace
 from typing import Optional, Tuple
 
-from semantic_framer.conditions import ConditionPart, read_condition
+from semantic_framer.condition_part import ConditionPart
+from semantic_framer.conditions import read_condition
 from semantic_framer.frame_roles import STATED, STATED_OF
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
