@@ -28,6 +28,7 @@ class Walk:
         self._has_goal = bool(self._goal) or command.form.predicate == "sequence"
         self._is_part = command.form.predicate == "sequence"
         self._waits = _WAITS
+        self._is_met = False
         self._has_begun = False
         self._has_walked = False
         self.is_over = False
@@ -41,7 +42,9 @@ class Walk:
         is_near = bool(truth[f"{self.person}.is_near"]) and truth[f"{self.person}.room"] == truth["robot.room"]
         is_walking = truth[f"{self.person}.posture"] == "walking"
         self._has_walked = self._has_walked or (self._has_begun and is_walking)
-        self._waits -= is_near
+        # The robot passes people while it still looks for them.
+        self._is_met = self._is_met or (is_near and truth["robot.looks_at"] == self.person)
+        self._waits -= is_near and self._is_met
         if not self._has_begun and is_near and self._waits <= 0:
             self._has_begun = True
             anywhere = next(room for room in _ANYWHERE if room != truth[f"{self.person}.room"])
