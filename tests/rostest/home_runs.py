@@ -70,10 +70,10 @@ class RosRuns:
 
     def run(self, command: Command) -> Run:
         """Carry a command out in a home that is arranged for it."""
+        times = self._arranged_times()
         self._arrange.publish(json.dumps(dict(command.arranged)))
-        # A wait of ROS time: what was published before it has arrived after it.
+        wait_until(lambda: self._arranged_times() > times, message=f"the home is not as {command.arranged}")
         rospy.sleep(_LOOK_S)
-        wait_until(lambda: self._is_arranged(command), message=f"the home is not as {command.arranged}")
         with self._lock:
             self._events.clear()
             self._reasons.clear()
@@ -104,9 +104,9 @@ class RosRuns:
                 walk.is_over,
             )
 
-    def _is_arranged(self, command: Command) -> bool:
-        truth = self._now()
-        return all(truth.get(f"{ident}.place", words) == words for ident, words in command.arranged.items())
+    def _arranged_times(self) -> int:
+        with self._lock:
+            return int(self._truth.get("home.arranged", 0))
 
     def _watch(self, walk: Walk) -> None:
         while not walk.has_ended and not rospy.is_shutdown():

@@ -8,6 +8,7 @@ from home_referee.commands import Command, draw
 from home_referee.direct_run import DirectRun
 from home_referee.judging import Run, Saying, Verdict, judge
 from home_referee.logical_forms import Description, Form, NotInThisHome, read_form
+from home_referee.walking import Walk
 
 SPEAKER = "alice"
 GRAMMAR = """
@@ -100,6 +101,18 @@ def test_what_is_said_must_be_heard_by_whom_it_is_for(slots):
     run = replace(run, command=replace(run.command, form=form), sayings=(Saying("It is 9:30.", ("anna",)),))
     assert judge(run, slots).verdict is Verdict.WRONG
     assert judge(replace(run, sayings=(Saying("It is 9:30.", ("bob",)),)), slots).verdict is Verdict.RIGHT
+
+
+def test_who_is_followed_waits_until_the_robot_has_met_them():
+    form = read_form("(follow (λ$1:e (person $1)(name $1 bob)))")
+    walk = Walk(Command("Follow Bob.", form, "test"))
+    truth = {"bob.is_near": True, "bob.posture": "standing", "bob.room": "kitchen", "robot.room": "hall"}
+    truth["robot.looks_at"] = "bob"
+    assert {walk.order(truth) for _ in range(100)} == {""}
+    truth["robot.room"] = "kitchen"
+    assert {walk.order({**truth, "robot.looks_at": "counter"}) for _ in range(100)} == {""}
+    orders = [walk.order(truth) for _ in range(100)]
+    assert [order for order in orders if order] == ["bob walk living_room"]
 
 
 @pytest.mark.parametrize("command", read_annotated()[:5], ids=lambda one: one.text)

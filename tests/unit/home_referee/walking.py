@@ -21,11 +21,14 @@ class Walk:
         form = command.form.arguments[0] if command.form.predicate == "sequence" else command.form
         is_followed = getattr(form, "predicate", "") == "follow"
         self.person = form.persons[0].name if is_followed else ""
-        self._goal = command.destination
+        #: Where somebody is followed to: nobody goes elsewhere.
+        ends = [one for one in form.arguments[1:] if isinstance(one, str)] if is_followed else []
+        self._goal = command.destination or next(iter(ends), "")
         #: Whether the robot follows to a goal of its own knowledge; otherwise whoever is followed ends it.
-        self._has_goal = bool(command.destination) or command.form.predicate == "sequence"
+        self._has_goal = bool(self._goal) or command.form.predicate == "sequence"
         self._is_part = command.form.predicate == "sequence"
         self._waits = _WAITS
+        self._is_met = False
         self._has_begun = False
         self._has_walked = False
         self.is_over = False
@@ -35,10 +38,13 @@ class Walk:
         """Return what the person does now, as the topic ``home/person`` has it; empty for nothing new."""
         if not self.person or self.is_over:
             return ""
-        is_near = bool(truth[f"{self.person}.is_near"])
+        # Behind a wall the robot has met nobody, however near they are.
+        is_near = bool(truth[f"{self.person}.is_near"]) and truth[f"{self.person}.room"] == truth["robot.room"]
         is_walking = truth[f"{self.person}.posture"] == "walking"
         self._has_walked = self._has_walked or (self._has_begun and is_walking)
-        self._waits -= is_near
+        # The robot passes people while it still looks for them.
+        self._is_met = self._is_met or (is_near and truth["robot.looks_at"] == self.person)
+        self._waits -= is_near and self._is_met
         if not self._has_begun and is_near and self._waits <= 0:
             self._has_begun = True
             anywhere = next(room for room in _ANYWHERE if room != truth[f"{self.person}.room"])

@@ -321,7 +321,13 @@ class FrameRegistrar:
         if not message.plan.nodes:
             # 2012 cannot say how often or for how long.
             self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
-        self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
+        if not self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan)):
+            self._stage.ends(
+                message.command,
+                outcome=Reply.REFUSED,
+                code="QUESTION",
+                sentence=f'I do not know how to answer "{message.command.text.rstrip(" ?.!")}".',
+            )
 
 
 def _told(errors: Sequence[str], remark: str) -> List[str]:

@@ -35,13 +35,21 @@ class CandidateTopics:
         self._candidates.get(robot)
         self._questions.get(robot)
 
-    def publish(self, message: CommandSemanticFrames) -> None:
-        """Publish a plan: as a question if all that it most likely means are questions."""
+    def publish(self, message: CommandSemanticFrames) -> bool:
+        """Publish a plan: as a question if all that it most likely means are questions.
+
+        Returns:
+            False, and nothing is published, when it is a question and no node answers questions
+        """
         question = question_of(message.plan, self._is_question)
         if question is not None:
+            topic = self._questions.get(message.command.robot)
+            if topic is not None and not topic.is_read:
+                return False
             _publish(self._questions, message.command.robot, CommandPlan(command=message.command, plan=question))
         else:
             _publish(self._candidates, message.command.robot, message)
+        return True
 
 
 def question_of(plan: Plan, is_question: Callable[[str], bool]) -> Optional[Plan]:

@@ -247,6 +247,14 @@ class FrameRegistrarTest(unittest.TestCase):
         event = self.command("moving")
         self.assertEqual((event.reply.outcome, event.reply.code), (Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"))
 
+    def test_question_that_no_node_answers_is_refused(self) -> None:
+        self.assertTrue(self.add_frame("asking.yaml", "name: asking\nis_question: True\nframe_elements: []\n"))
+        self.register("asking", "steady")
+        rospy.sleep(6.0)  # Until then the node might still start.
+        event = self.command("asking")
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.REFUSED, "QUESTION"))
+        self.assertIn("do it", event.reply.sentence)
+
     def test_command_without_clauses_is_answered(self) -> None:
         self.units.publish(CommandLexicalUnits(command=Command(id="empty")))
         wait_until(lambda: any(event.command.id == "empty" for event in list(self.events)))

@@ -7,13 +7,14 @@ from typing import Callable, Dict, FrozenSet, List, Mapping, Protocol
 
 import yaml
 
-from home_servers.memory import PERSONS, Known, Memory, wanted_names
+from home_servers.memory import PERSONS, Known, Memory, is_whole, wanted_names
 from home_servers.skills import HEARERS, SPEAKERS
 from typed_arguments import TypedArgument
 from word_classes import without_determiner
 
 _NEAR_M = 1.5
-_ALL = frozenset(["all", "every", "each", "both"])
+#: Quantifiers that leave open which things are meant; none does so before a plural.
+_OPEN = ("", "a", "any", "some", "no")
 
 
 class CannotTell(Exception):
@@ -183,17 +184,19 @@ class Conditions:
         found = self._find(theme)
         if not found:
             raise CannotTell(f"I know of no {without_determiner(theme.text)}")
-        if theme.quantifier in _ALL or theme.is_plural:
-            return all(self._shows(one, word) for one in found)
-        if theme.quantifier in ("a", "any", "some") and not theme.referents:
+        is_open = theme.quantifier in _OPEN and theme.possessor is None and not theme.referents
+        if is_open and (theme.quantifier or theme.is_plural):
+            # "No lights are on" denies that lights are on, whichever they are.
             seen = [one for one in found if one.states]
-            return any(self._shows(one, word) for one in seen or found[:1])
+            return _are_enough([one for one in seen or found[:1] if self._shows(one, word)], theme)
+        if is_whole(theme) or theme.is_plural:
+            return all(self._shows(one, word) for one in found)
         return self._shows(found[0], word)
 
     def _shows(self, one: Known, word: str) -> bool:
         state = _states().get(word)
         if state is None:
-            raise CannotTell(f'I cannot see whether {one.the_name} is "{word}"')
+            raise CannotTell(f'I cannot see whether {one.the_name_is} "{word}"')
         if not one.states and one.stamp_s < 0.0:
             raise CannotTell(f"I have not seen {one.the_name}")
         is_absent, name = state.startswith("not "), state.replace("not ", "")

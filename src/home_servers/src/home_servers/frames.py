@@ -5,7 +5,7 @@ from typing import Any, Dict, Mapping
 
 import yaml
 
-from home_servers import going, handling, housework, looking, talking
+from home_servers import checking, going, handling, housework, looking, talking
 from home_servers.skills import Skill
 
 #: Settings, and the devices that they are of.
@@ -68,7 +68,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "being_in_category": looking.be_in_category,
         "being_located": looking.be_located,
         "departing": going.depart,
-        "inspecting": looking.inspect,
+        "inspecting": checking.inspect,
         "locating": looking.locate,
         "moving_along_path": going.move_along,
         "navigating_to_location": going.navigate,
@@ -82,7 +82,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "identifying": looking.identify,
         "patrolling": going.patrol,
         "scouring": looking.scour,
-        "verifying": looking.verify,
+        "verifying": checking.verify,
     },
     "pick_and_place": {
         "attaching": handling.attach,

@@ -80,8 +80,9 @@ def face(skills: Skills, frame: FilledFrame) -> None:
 
 
 def follow(skills: Skills, frame: FilledFrame) -> None:
-    """Stay behind somebody until the goal is reached, or they walk no more, or the goal is preempted."""
-    person = skills.find(argument(frame, "cotheme"), "person")
+    """Find somebody, and stay behind them until the goal is reached, they walk no more, or the goal is preempted."""
+    near = argument(frame, "source") if said(frame, "source") else None
+    person = skills.find(argument(frame, "cotheme"), "person", near=near)
     goal = goal_of(skills, frame) if said(frame, "goal") else None
     # They may have begun to walk since the robot has met them.
     at, has_walked, since_s = skills.memory.met_at.get(person.id, (person.x_m, person.y_m)), False, skills.body.now_s()

@@ -5,6 +5,7 @@ import re
 from typing import Dict, List, Optional
 
 from home_servers.body import CannotDo
+from home_servers.checking import bring_all_about
 from home_servers.memory import Known
 from home_servers.skills import HERE, Skill, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
@@ -13,6 +14,8 @@ from typed_arguments import FilledFrame, TypedArgument
 _AWAY = ("left", "right", "forward", "back", "backward")
 #: Furniture on which things are put when no place is named.
 TABLES = ("table", "counter", "desk")
+#: What comes of actions on doors.
+_STATES = {"open": "open", "close": "closed"}
 #: An angle when none is said.
 _HALF_TURN_RAD = math.pi / 2.0
 #: A level in front of its unit: "21.5 degrees".
@@ -157,7 +160,11 @@ def portal(element: str, kind: str) -> Skill:
             # "The door of the cupboard" is opened with the cupboard; a room has a door of its own.
             named = TypedArgument(element, f"{words.lemma or words.text} of {whole.text}")
             words = named if skills.memory.find(named, "door", "furniture", "thing") else whole
-        for one in skills.find_all(words, "door", "furniture", "thing"):
+        found = skills.find_all(words, "door", "furniture", "thing")
+        if len(found) > 1 and kind in _STATES:
+            bring_all_about(skills, found, _STATES[kind])
+            return
+        for one in found:
             skills.attempt(kind, theme=one.id)
 
     return act

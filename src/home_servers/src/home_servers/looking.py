@@ -1,18 +1,19 @@
 """Frames of looking, finding, counting and comparing: the robot says what it has seen."""
 
 from dataclasses import replace
-from typing import List, Optional, Tuple
+from typing import List
 
 from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
 from home_servers.skills import HEARERS, SPEAKERS, Skills, argument, said
-from home_servers.statements import Statement, statement_of
 from typed_arguments import FilledFrame, TypedArgument
-from word_classes import without_determiner
+from word_classes import without_determiner, word_class
 
+#: Pronouns for any thing.
+ANYTHING = word_class("indefinite_things")
 #: What states are called; others are called by themselves.
-_STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
-_OPPOSITES = {
+STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
+OPPOSITES = {
     "open": "closed",
     "closed": "open",
     "on": "off",
@@ -23,8 +24,6 @@ _OPPOSITES = {
     "unlocked": "locked",
     "shut": "open",
 }
-#: What the robot sees where nothing is, for words of any person and any thing.
-_NONE = {"person": "nobody", "thing": "nothing"}
 
 
 def described(skills: Skills, one: Known) -> str:
@@ -38,9 +37,9 @@ def described(skills: Skills, one: Known) -> str:
         parts.append(f"{one.relation.replace('_', ' ')} {holder.the_name}")
     if room is not None and room.id != one.id:
         parts.append(f"in {room.the_name}")
-    states = [state for state in one.states if state in _STATES]
+    states = [state for state in one.states if state in STATES]
     words = " ".join(parts) or "here"
-    return f"{one.the_name} is {words}" + (f", {' and '.join(states)}" if states else "")
+    return f"{one.the_name_is} {words}" + (f", {' and '.join(states)}" if states else "")
 
 
 def sentence(words: str) -> str:
@@ -64,130 +63,6 @@ def perceive(skills: Skills, frame: FilledFrame) -> None:
         skills.attempt("look", theme=one.id)
 
 
-def inspect(skills: Skills, frame: FilledFrame) -> None:
-    """Go to something, look at it, and say how it is."""
-    statement = statement_of(f"{frame.text('ground')} {frame.text('desired_state')}")
-    if statement is not None and (statement.is_denied or statement.is_negated):
-        _inspect_denied(skills, statement)
-        return
-    for one in skills.find_all(argument(frame, "ground")):
-        _inspect_one(skills, one, frame)
-
-
-def _inspect_denied(skills: Skills, statement: Statement) -> None:
-    """Say whether it is so that no thing is somewhere, or is in some state."""
-    if statement.place.text:
-        is_so, seen = _is_at_place(skills, statement)
-        skills.say(f"{'Yes' if is_so else 'No'}, {seen}")
-        return
-    for one in _meant(skills, statement):
-        skills.go(one.id)
-        skills.attempt("look", theme=one.id)
-        has_state = _has_state(skills.memory.get(one.id) or one, statement.state)
-        words = f"{one.the_name} is {'' if has_state else 'not '}{statement.state}"
-        skills.say("I cannot see that." if has_state is None else f"{'No' if has_state else 'Yes'}, {words}.")
-
-
-def _inspect_one(skills: Skills, one: Known, frame: FilledFrame) -> None:
-    skills.go(one.id)
-    if one.sort == "room" and not said(frame, "desired_state"):
-        skills.attempt("look")
-        _say_list(skills, [thing for thing in skills.memory.all("thing") if thing.room == one.id], f"In {one.the_name}")
-        return
-    skills.attempt("look", theme=one.id)
-    now = skills.memory.get(one.id) or one
-    wanted = argument(frame, "desired_state")
-    if wanted.text:
-        is_so = _has_state(now, wanted.text)
-        skills.answer(
-            "I cannot see that." if is_so is None else f"Yes, {wanted.text}." if is_so else f"No, not {wanted.text}."
-        )
-        return
-    skills.answer(sentence(described(skills, now)))
-
-
-def _has_state(one: Known, word: str) -> Optional[bool]:
-    word = word.lower().split()[-1]
-    word = "closed" if word == "shut" else word
-    if word in one.states:
-        return True
-    return False if _OPPOSITES.get(word) in one.states else None
-
-
-def verify(skills: Skills, frame: FilledFrame) -> None:
-    """Make sure that things are open, closed, on or off, and change what is not; look whether they are at a place.
-
-    Raises:
-        CannotDo: it is not so, and the robot does not change it, or cannot see it
-    """
-    words = argument(frame, "content")
-    statement = statement_of(words.text)
-    if statement is None:
-        raise CannotDo(f'I do not know how to check "{words.text}".')
-    if statement.place.text:
-        is_so, seen = _is_at_place(skills, statement)
-        if not is_so:
-            raise CannotDo(seen)
-        skills.say(seen)
-        return
-    wanted = _wanted(statement)
-    for one in _meant(skills, statement):
-        _bring_about(skills, one, wanted)
-
-
-def _wanted(statement: Statement) -> str:
-    """Return the state that things shall have.
-
-    Raises:
-        CannotDo: they shall not be in some state, which leaves open how they shall be
-    """
-    if statement.is_denied == statement.is_negated:
-        return statement.state
-    if statement.state not in _OPPOSITES:
-        raise CannotDo(f'I do not know what is not "{statement.state}".')
-    return _OPPOSITES[statement.state]
-
-
-def _meant(skills: Skills, statement: Statement) -> List[Known]:
-    about = replace(statement.about, is_plural=statement.is_of_all)
-    return skills.find_all(about, "door", "furniture", "thing")
-
-
-def _is_at_place(skills: Skills, statement: Statement) -> Tuple[bool, str]:
-    """Look whether things are where they are said to be, and return what the robot sees there."""
-    place = skills.find(statement.place)
-    found = counted(skills, statement.about, statement.place)
-    where = f"{statement.place.relation} {place.the_name}"
-    is_said_to_be_there = statement.is_denied == statement.is_negated
-    if found:
-        names = ", ".join(sorted({one.the_name for one in found}))
-        return is_said_to_be_there, f"I see {names} {where}."
-    about = without_determiner(statement.about.text)
-    return not is_said_to_be_there, f"I see {_NONE.get(about, f'no {about}')} {where}."
-
-
-def _bring_about(skills: Skills, one: Known, wanted: str) -> None:
-    skills.go(one.id)
-    skills.attempt("look", theme=one.id)
-    now = skills.memory.get(one.id) or one
-    if _has_state(now, wanted):
-        skills.answer(f"It is {wanted}.")
-        return
-    actions = {
-        "closed": ("close", ""),
-        "shut": ("close", ""),
-        "open": ("open", ""),
-        "off": ("switch", "off"),
-        "on": ("switch", "on"),
-        "locked": ("lock", ""),
-        "unlocked": ("unlock", ""),
-    }
-    if wanted not in actions:
-        raise CannotDo(f"I cannot see whether {one.the_name} is {wanted}.")
-    kind, value = actions[wanted]
-    skills.attempt(kind, theme=one.id, value=value)
-
-
 def count(skills: Skills, frame: FilledFrame) -> None:
     """Go there, look, and say how many there are."""
     words, place = argument(frame, "entity"), argument(frame, "ground")
@@ -203,7 +78,12 @@ def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[
         raise CannotDo("I do not know where I am.")
     skills.look_in(ground) if place.text else skills.attempt("look")
     is_of_people = bool(PERSONS.intersection((theme.lemma.lower(), theme.head.lower(), theme.text.lower())))
-    found = skills.memory.all("person") if is_of_people else skills.memory.find(theme, "thing", "furniture")
+    if is_of_people:
+        found = skills.memory.all("person")
+    elif theme.text.lower() in ANYTHING:
+        found = skills.memory.all("thing")
+    else:
+        found = skills.memory.find(theme, "thing", "furniture")
     return [one for one in found if skills.is_at(one, ground, place.relation)]
 
 
@@ -222,10 +102,11 @@ def list_things(skills: Skills, frame: FilledFrame) -> None:
     named = [one for one in found if one.id in meant] or (found if place is not None else [])
     if not named:
         raise CannotDo(f"I have not seen any {words.text}.")
-    _say_list(skills, named, "I know" if place is None else f"At {place.the_name}")
+    say_list(skills, named, "I know" if place is None else f"At {place.the_name}")
 
 
-def _say_list(skills: Skills, found: List[Known], begin: str) -> None:
+def say_list(skills: Skills, found: List[Known], begin: str) -> None:
+    """Answer with the names of what was found."""
     names = sorted({one.the_name for one in found})
     skills.answer(f"{begin}: {', '.join(names) if names else 'nothing'}.")
 
@@ -257,7 +138,7 @@ def compare(skills: Skills, frame: FilledFrame) -> None:
     for one in found[:2]:
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
-    words = [f"{one.the_name} is {' and '.join(one.attributes) or 'plain'}" for one in found[:2]]
+    words = [f"{one.the_name_is} {' and '.join(one.attributes) or 'plain'}" for one in found[:2]]
     skills.answer(sentence(" and ".join(words)))
 
 
@@ -294,7 +175,7 @@ def scour(skills: Skills, frame: FilledFrame) -> None:
     """Search an area, and say what is there."""
     area = skills.find(argument(frame, "ground"), "room", "furniture")
     skills.look_in(area)
-    _say_list(skills, [one for one in skills.memory.all("thing", "person") if skills.is_at(one, area)], "I have found")
+    say_list(skills, [one for one in skills.memory.all("thing", "person") if skills.is_at(one, area)], "I have found")
 
 
 def photograph(skills: Skills, frame: FilledFrame) -> None:
@@ -343,8 +224,8 @@ def be_in_category(skills: Skills, frame: FilledFrame) -> None:
         name = without_determiner(category.text).lower()
         skills.memory.name(one.id, name)
         skills.body.tell(Known(one.id, one.sort, (*one.names, name)))
-    elif word in _OPPOSITES or word in _STATES:
-        states = tuple(state for state in one.states if state != _OPPOSITES.get(word))
+    elif word in OPPOSITES or word in STATES:
+        states = tuple(state for state in one.states if state != OPPOSITES.get(word))
         skills.memory.update([replace(one, states=(*states, word), stamp_s=skills.body.now_s())])
         skills.body.tell(Known(one.id, one.sort, (), states=(word,)))
     else:

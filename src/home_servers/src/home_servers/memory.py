@@ -5,11 +5,12 @@ import threading
 from dataclasses import dataclass, replace
 from typing import Dict, Iterable, List, Optional, Set, Tuple
 
+from referring_expressions.describing import is_plural_noun
 from typed_arguments import TypedArgument
-from word_classes import without_determiner
+from word_classes import without_determiner, word_class
 
 #: Nouns for any thing and for any person.
-THINGS = frozenset("thing things object objects item items".split())
+THINGS = frozenset("thing things object objects item items everything".split())
 PERSONS = frozenset(
     "person people persons visitor visitors guest guests everybody everyone somebody someone anybody anyone".split()
 )
@@ -60,6 +61,21 @@ class Known:
     def the_name(self) -> str:
         """The name in a sentence."""
         return self.name if self.sort == "person" else f"the {self.name}"
+
+    @property
+    def is_plural(self) -> bool:
+        """Whether its name is a plural, though it is one thing: "keys"."""
+        return self.sort != "person" and is_plural_noun(self.name)
+
+    @property
+    def the_name_is(self) -> str:
+        """The name in a sentence, and the verb: "the mug is", "the keys are"."""
+        return f"{self.the_name} {'are' if self.is_plural else 'is'}"
+
+    @property
+    def it_is(self) -> str:
+        """The pronoun and the verb."""
+        return "they are" if self.is_plural else "it is"
 
 
 class Memory:
@@ -130,7 +146,7 @@ class Memory:
         objects = self.all(*sorts)
         by_id = {one.id: one for one in objects}
         referents = [by_id[ident] for ident in argument.referents if ident in by_id]
-        if referents:
+        if referents and not is_any(argument):
             return referents
         wanted = wanted_names(argument)
         for nouns, sort in ((THINGS, "thing"), (PERSONS, "person")):
@@ -138,17 +154,30 @@ class Memory:
                 objects = [replace(one, names=(*one.names, *nouns)) if one.sort == sort else one for one in objects]
         scored = [(score, one) for one in objects for score in [_score(wanted, one)] if score < 2 * len(wanted)]
         if not scored:
-            return []
+            return referents
         telling = {m.lemma or m.word for m in argument.modifiers if m.kind in _TELLING}
         telling |= {m.word for m in argument.modifiers if m.kind in _TELLING}
         vocabulary = {word for _, one in scored for word in (*one.attributes, *one.states)} | _COLOURS
         asked = {word.lower() for word in telling} & vocabulary
         fitting = [(s, one) for s, one in scored if asked <= {*one.attributes, *one.states, *_name_words(one)}]
         fitting.sort(key=lambda pair: (pair[0], math.dist(here, (pair[1].x_m, pair[1].y_m)) if here else 0.0))
-        return [by_id[one.id] for _, one in fitting]
+        found = [by_id[one.id] for _, one in fitting]
+        return found + [one for one in referents if one not in found]
 
 
+_WHOLE = word_class("determiners_of_all")
+_INDEFINITE = ("a", "any", "some")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
+
+
+def is_any(argument: TypedArgument) -> bool:
+    """Whether any thing of a kind will do, "a person": not only those that were known when it was said."""
+    return argument.quantifier in _INDEFINITE
+
+
+def is_whole(argument: TypedArgument) -> bool:
+    """Whether all things of a kind are meant: "every mug", "everybody"."""
+    return argument.quantifier in _WHOLE
 
 
 def _name_words(one: Known) -> Set[str]:

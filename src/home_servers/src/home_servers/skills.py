@@ -4,7 +4,7 @@ import math
 from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from home_servers.body import Body, CannotDo
-from home_servers.memory import Known
+from home_servers.memory import Known, is_any, is_whole
 from home_servers.places import RELATIONS, Place
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
@@ -168,8 +168,7 @@ class Skills:
         Raises:
             CannotDo: it is not known and was not found
         """
-        found = self.find_all(argument, *sorts, near=near)
-        return found[0]
+        return self.find_all(argument, *sorts, near=near)[0]
 
     def find_all(
         self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None, least: int = 1
@@ -181,9 +180,14 @@ class Skills:
         if argument.text.lower() in _MET and not argument.referents and met is not None:
             return [met]
         place = self._place_of(near) if near is not None and near.text else None
+        wants_all = (argument.is_plural or is_whole(argument)) and argument.count is None
+        # "Everything on the table" is more than what the robot has seen there by chance.
+        where = (place or self._inner_place(argument)) if wants_all else None
+        self._look_in_each([where.known] if where is not None else [], lambda: True)
         found = self._matching(argument, sorts, place)
+        if is_any(argument) and place is None:
+            found = self._here_first(argument, sorts, found)
         need = max(least, argument.count or 1)
-        wants_all = argument.is_plural and argument.count is None
         if len(found) < need:
             self._seek(argument, sorts, place, need)
             found = self._matching(argument, sorts, place)
@@ -194,6 +198,14 @@ class Skills:
         if found[0].sort == "person":
             self.memory.met = (found[0].id, self.body.now_s())
         return found if wants_all else found[:need]
+
+    def _here_first(self, argument: TypedArgument, sorts: Sequence[str], found: List[Known]) -> List[Known]:
+        """Return what fits, what is in the room of the robot in front; look around when nothing there does."""
+        if not any(one.room == self.body.room() for one in found):
+            self.attempt("look")
+            found = self._matching(argument, sorts, None)
+        held = self.body.held()
+        return sorted(found, key=lambda one: (one.id not in held, one.room != self.body.room()))
 
     def _matching(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Place]) -> List[Known]:
         here = self.body.place()

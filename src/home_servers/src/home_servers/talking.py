@@ -1,10 +1,10 @@
 """Frames of speaking with people and of gestures."""
 
-from typing import Dict
+from typing import Dict, List
 
 from home_servers.body import CannotDo
 from home_servers.looking import described, sentence
-from home_servers.memory import Known
+from home_servers.memory import Known, is_whole
 from home_servers.skills import SPEAKERS, Skill, Skills, argument, said
 from home_servers.telling import told
 from typed_arguments import FilledFrame, TypedArgument
@@ -49,6 +49,9 @@ def tell(skills: Skills, frame: FilledFrame) -> None:
     """Find out what is to be told, go to whom it is for, and tell it."""
     whom = argument(frame, "addressee")
     text = told(skills, argument(frame, "message"))
+    if is_whole(whom):
+        _tell_each(skills, whom, text)
+        return
     person = _hearer(skills, whom)
     is_asked_by_them = not whom.text or whom.text.lower() in SPEAKERS
     skills.answer(
@@ -66,10 +69,22 @@ def _hearer(skills: Skills, whom: TypedArgument) -> Known:
     return person
 
 
+def _tell_each(skills: Skills, whom: TypedArgument, text: str) -> None:
+    """Go to each person of a kind, tell them, and say who they were."""
+    names: List[str] = []
+    for person in skills.persons(whom):
+        skills.say(sentence(f"{person.name}, {text}"))
+        names.append(person.name)
+    skills.answers.append(sentence(f"I told {', '.join(names)}: {text}"))
+
+
 def say(skills: Skills, frame: FilledFrame) -> None:
     """Say something, to somebody when they are named."""
     message, whom = argument(frame, "message"), argument(frame, "addressee")
     text = told(skills, message)
+    if is_whole(whom):
+        _tell_each(skills, whom, text)
+        return
     if whom.text or skills.company() is not None:
         text = f"{_hearer(skills, whom).name}, {text}"
     skills.say(sentence(text))
@@ -117,7 +132,7 @@ def describe(skills: Skills, frame: FilledFrame) -> None:
         names = sorted({thing.the_name for thing in skills.memory.all() if thing.room == one.id})
         words = f"In {one.the_name} I see {', '.join(names)}."
     else:
-        words = sentence(f"{described(skills, now)}; it is {' and '.join(now.attributes) or now.category}")
+        words = sentence(f"{described(skills, now)}; {now.it_is} {' and '.join(now.attributes) or now.category}")
     if whom.text:
         skills.person(whom)
     skills.answer(words)

@@ -11,6 +11,7 @@ import yaml
 from home_servers.looking import counted, described
 from home_servers.memory import PERSONS
 from home_servers.skills import POSTURES, Skills
+from referring_expressions.describing import counted_noun
 from typed_arguments import EmbeddedFrame, TypedArgument
 
 _FACTS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "facts.yaml")
@@ -74,9 +75,8 @@ def _number(skills: Skills, frame: EmbeddedFrame) -> str:
     found = counted(skills, theme, place)
     if state:
         found = [one for one in found if state in one.states]
-    what = f" {theme.text}" if theme.is_plural and len(found) != 1 else ""
     where = f" {place.words}" if place.text else ""
-    return f"there {'is' if len(found) == 1 else 'are'} {len(found)}{what}{where}"
+    return f"there {'is' if len(found) == 1 else 'are'} {len(found)} {counted_noun(theme, len(found))}{where}"
 
 
 def _look(skills: Skills, theme: TypedArgument) -> str:
@@ -85,7 +85,7 @@ def _look(skills: Skills, theme: TypedArgument) -> str:
     skills.go(one.id)
     skills.attempt("look", theme=one.id)
     now = skills.memory.get(one.id) or one
-    looks = f"; it is {' and '.join(now.attributes)}" if now.attributes and now.sort != "door" else ""
+    looks = f"; {now.it_is} {' and '.join(now.attributes)}" if now.attributes and now.sort != "door" else ""
     return f"{described(skills, now)}{looks}"
 
 

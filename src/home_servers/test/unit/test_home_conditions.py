@@ -177,3 +177,11 @@ def test_as_many_as_were_said(memory: Memory) -> None:
     assert holds(memory, IN_KITCHEN, "place", theme=one, location="the kitchen") is True
     assert holds(memory, IN_KITCHEN, "place", theme=three, location="the kitchen") is False
     assert holds(memory, IN_KITCHEN, "presence", theme=three) is False
+
+
+@pytest.mark.parametrize(("quantifier", "holds_of"), [("", True), ("any", True), ("the", False), ("all", False)])
+def test_a_bare_plural_is_of_some(memory: Memory, quantifier: str, holds_of: bool) -> None:
+    lamps = ("on", "off")
+    memory.update([Known(f"lamp_{one}", "furniture", ("lamp",), stamp_s=5.0, states=(one,)) for one in lamps])
+    theme = TypedArgument("theme", "lamps", head="lamps", lemma="lamp", quantifier=quantifier, is_plural=True)
+    assert holds(memory, IN_OFFICE, "state", theme=theme, state="on") is holds_of

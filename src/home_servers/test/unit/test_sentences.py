@@ -122,7 +122,7 @@ def test_what_no_skill_heeds_is_not_left_out_without_a_word(pipeline, said):
 @pytest.mark.parametrize(
     "text, answer",
     [
-        ("Tell me how many chairs are in the office.", "There is 1 in the office."),
+        ("Tell me how many chairs are in the office.", "There is 1 chair in the office."),
         ("Tell me where the mug is.", "The mug is on the kitchen table"),
         ("Tell Bob where the mug is.", "I told Bob: the mug is on the kitchen table"),
         ("Count the chairs in the kitchen.", "I see 0 chairs."),

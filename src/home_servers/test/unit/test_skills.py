@@ -150,3 +150,11 @@ def test_whoever_does_not_walk_is_not_followed():
     _, _, skills = make()
     with pytest.raises(CannotDo, match="Alice does not go anywhere"):
         follow(skills, FilledFrame("following", (phrase("Alice", name="cotheme"),)))
+
+
+def test_a_person_is_whoever_is_here():
+    _, _, skills = make()
+    skills.go("office")
+    a_person = phrase("a person", quantifier="a", referents=("alice",))
+    assert skills.find(a_person, "person").id == "bob"
+    assert skills.find(phrase("Alice", referents=("alice",)), "person").id == "alice"

@@ -26,6 +26,7 @@ KNOWLEDGE = load_knowledge([shipped_domains()])
 #: Elements whose words name what the frame is about anyway: "take a *picture*", "give me a *hug*", "wait *here*".
 IN_THE_FRAME = {
     # Where somebody is looked for, if it is said who (the next test).
+    ("following", "source"),
     ("guiding", "source"),
     ("photographing", "representation"),
     ("high_fiving", "hand"),
@@ -93,10 +94,11 @@ def test_what_is_said_of_an_element_changes_what_is_done(frame, name):
     assert done(frame, [*cores(frame), said]) != done(frame, cores(frame))
 
 
-def test_who_is_guided_is_looked_for_where_it_is_said():
+@pytest.mark.parametrize("frame", ["guiding", "following"])
+def test_who_is_guided_or_followed_is_looked_for_where_it_is_said(frame):
     words = {"cotheme": "person", "source": "living room", "goal": "desk"}
     said = [TypedArgument(name, text, head=text.split()[-1], lemma=text.split()[-1]) for name, text in words.items()]
-    assert done("guiding", said) != done("guiding", [one for one in said if one.name != "source"])
+    assert done(frame, said) != done(frame, [one for one in said if one.name != "source"])
 
 
 RELATED = [

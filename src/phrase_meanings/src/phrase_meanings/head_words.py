@@ -63,7 +63,10 @@ def chosen_from(tree: DependencyTree, head: int, own: FrozenSet[int]) -> Optiona
 def quantity(tree: DependencyTree, head: int, children: Iterable[Word]) -> Quantity:
     """Return what the words before a head say of the number of things."""
     spoken = shipped_meanings().quantifiers
-    quantifier, count, bound = "", None, ""
+    # "Everything" is a quantifier and its noun in one word.
+    form = tree.word(head).form.lower()
+    quantifier = spoken[form] if form in spoken and tree.word(head).upos == "PRON" else ""
+    count, bound = None, ""
     for child in children:
         form = child.form.lower()
         if child.deprel in ("det", "det:predet", "amod") and form in spoken:

@@ -11,6 +11,7 @@ from referring_expressions.describing import (
     article,
     as_said,
     bare_noun,
+    counted_noun,
     is_plural_noun,
     name_of,
     noun_of,
@@ -32,7 +33,6 @@ MOST_NAMED = 8
 BEING_NAMED = "being_named"
 Arguments = Mapping[str, TypedArgument]
 _COLOURS = word_class("colours")
-_PERSONS = word_class("general_person_nouns")
 #: What other words for a state mean.
 _STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(word_class("words_for_closed"), "closed")}
 
@@ -132,9 +132,7 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     if not found:
         return f"I know of no {bare_noun(theme)}{where}."
     verb = "is" if len(found) == 1 else "are"
-    noun = bare_noun(theme) if len(found) > 1 else theme.lemma if theme.is_plural else bare_noun(theme)
-    noun = "person" if len(found) == 1 and theme.lemma in _PERSONS else noun
-    return f"As far as I know, there {verb} {len(found)} {noun}{where}."
+    return f"As far as I know, there {verb} {len(found)} {counted_noun(theme, len(found))}{where}."
 
 
 def _what_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -172,7 +170,7 @@ def _state(arguments: Arguments, known: RobotKnowledge) -> str:
     opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if state in words)) - {state}
     verdicts = {True if state in one.properties else False if opposites & set(one.states) else None for one in found}
     name = _capital(_called(theme, found[0])) if len(found) == 1 else _capital(as_said(theme))
-    verb = "is" if len(found) == 1 else "are"
+    verb = _is(found, name)
     is_choice = "alternative" in arguments
     if verdicts == {True}:
         return f"{name} {verb} {state}." if is_choice else f"Yes, {_lower(name)} {verb} {state}."
@@ -297,9 +295,8 @@ def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
     if not all(colours):
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
-        verb = "is" if len(found) == 1 else "are"
         called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
-        return f"{_capital(called)} {verb} {join_with_and(colours[0])}."
+        return f"{_capital(called)} {_is(found, called)} {join_with_and(colours[0])}."
     parts = [
         f"the one {place_of(one, known.world) or 'somewhere unknown'} is {join_with_and(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)

@@ -13,6 +13,7 @@ from world_model.world_object import LEADS_TO
 MOST_NAMED = 4
 #: Whose something is, from the view of the robot.
 _YOURS = {"my": "your", "your": "my", "our": "our"}
+_PERSONS = word_class("general_person_nouns")
 _INDEFINITE = frozenset(["any", "some", "no", "other"])
 #: How a person says a relation.
 _SPOKEN = {
@@ -138,6 +139,15 @@ def bare_noun(argument: TypedArgument) -> str:
     """Return the noun of a phrase with its adjectives and without its determiner: "red mug"."""
     words = without_determiner(argument.text, word_class("determiners_and_possessives")) or argument.text
     return without_determiner(words, _INDEFINITE)
+
+
+def counted_noun(argument: TypedArgument, count: int) -> str:
+    """Return the noun of a phrase as it stands behind a number: "1 person", "2 red mugs"."""
+    if count != 1:
+        return bare_noun(argument)
+    if argument.lemma in _PERSONS:
+        return "person"
+    return argument.lemma if argument.is_plural else bare_noun(argument)
 
 
 def is_plural_noun(noun: str) -> bool:

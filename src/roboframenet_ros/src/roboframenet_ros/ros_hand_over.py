@@ -1,6 +1,7 @@
 """Hands commands over to the next stage, also to one that is just starting."""
 
 import threading
+import time
 from typing import Any, Callable
 
 import rospy
@@ -30,6 +31,9 @@ class HandOver(rospy.SubscribeListener):
             max_age_s: for how long a message is kept while nobody is connected, seconds
         """
         self._lock = threading.Lock()
+        # Whoever starts at the same time may still connect.
+        self._may_come_until_s = time.monotonic() + max_age_s
+        self._was_connected = False
         self._kept: Recent[Any] = Recent(max_count=_MAX_COUNT, max_age_s=max_age_s)
         self._publisher = rospy.Publisher(topic, message_class, subscriber_listener=self, queue_size=_MAX_COUNT)
 
@@ -40,6 +44,11 @@ class HandOver(rospy.SubscribeListener):
                 publish(self._publisher, message)
             else:
                 self._kept.add(message)
+
+    @property
+    def is_read(self) -> bool:
+        """Whether there is a next stage: it has connected, even if it does not run now, or it may still start."""
+        return self._was_connected or self.is_connected or time.monotonic() < self._may_come_until_s
 
     @property
     def is_connected(self) -> bool:
@@ -55,6 +64,7 @@ class HandOver(rospy.SubscribeListener):
     ) -> None:
         """Send what was kept to a new subscriber; called by rospy."""
         with self._lock:
+            self._was_connected = True
             for message in self._kept.values():
                 peer_publish(message)
             self._kept.clear()

@@ -70,7 +70,8 @@ class HomeSim:
         ``world_updates`` (WorldUpdate): the map, and what the robot sees; ``home/map`` (WorldUpdate, latched);
         ``home/bell`` (std_msgs/Header): the bell of the door;
         ``home/rain`` (std_msgs/Bool, latched): the rain gauge outside;
-        ``home/heard`` (std_msgs/String): what the robot hears; ``home/truth`` (std_msgs/String, latched): all, as JSON
+        ``home/heard`` (std_msgs/String): what the robot hears; ``home/truth`` (std_msgs/String, latched): all, as JSON,
+        and how often the home was arranged
     Actions:
         ``home/act`` (FilledSemanticFrameAction): an action; with a PR2 also those of its arms
     """
@@ -108,6 +109,7 @@ class HomeSim:
         self._is_raining = False
         self._truth = rospy.Publisher("home/truth", String, queue_size=5, latch=True)
         self._last_truth = ""
+        self._arranged_times = 0
         self._robots: List[RosHomeRobot] = []
         for kind, member in zip(kinds, members):
             space = "" if member is members[0] else f"{kind}/"
@@ -132,13 +134,14 @@ class HomeSim:
             self._company.step(duration_s)
             self._weather.step(duration_s)
             is_raining, plan, state = self._weather.is_raining, self._host.plan, self._host.state
+            arranged_times = self._arranged_times
         for robot in self._robots:
             robot.step(duration_s, stamp)
             if is_raining is not self._is_raining:
                 robot.rain(is_raining=is_raining)
         self._is_raining = is_raining
         if self._robots[0].is_due("truth", _TRUTH_S, stamp):
-            facts = {**truth_of(plan, state), "weather.is_raining": is_raining}
+            facts = {**truth_of(plan, state), "weather.is_raining": is_raining, "home.arranged": arranged_times}
             truth = json.dumps({"truth": facts, "events": [asdict(event) for event in state.events[-20:]]})
             if truth != self._last_truth:
                 self._last_truth = truth
@@ -173,6 +176,7 @@ class HomeSim:
         forgotten = [one.id for one in plan.entities.values() if one.kind in ("thing", "person")]
         with self._lock:
             self._host.start_anew(state)
+            self._arranged_times += 1
             self._last_truth = ""
             self._robots[0].start_anew(forgotten)
 

@@ -1,6 +1,6 @@
 """Frame elements by FrameNet's names: things, places, other roles, and the elements that single rules use."""
 
-from typing import FrozenSet
+from typing import FrozenSet, Mapping
 
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
@@ -30,3 +30,6 @@ NO_THINGS: FrozenSet[str] = frozenset(
 DESCRIBED: FrozenSet[str] = frozenset(["Cotheme", "Category", "Item"])
 DIRECTION = "Direction"
 OPERATIONAL_STATE = "Operational_state"
+#: What is to be checked, and whether the thing that it is said of has an element of its own.
+STATED: Mapping[str, bool] = {"Unconfirmed_content": False, "Desired_state": True}
+STATED_OF: FrozenSet[str] = frozenset(["Ground"])

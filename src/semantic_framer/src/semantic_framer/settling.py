@@ -9,6 +9,7 @@ from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
+from semantic_framer.embedded_statements import with_statements
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
@@ -130,7 +131,10 @@ def _settled(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
-        readings = tuple(with_indirect_questions(reading, sentence.tree, now.known) for reading in readings)
+        readings = tuple(
+            with_statements(with_indirect_questions(reading, sentence.tree, now.known), sentence, now.known)
+            for reading in readings
+        )
         if done:
             readings = _beside(readings, done[-1][0], now)
         question = _resolved(readings, context, now)
