@@ -10,6 +10,7 @@ _BE = word_class("forms_of_be")
 _INVERTED = _BE | word_class("forms_of_have")
 _DO = word_class("forms_of_do")
 _WHETHER = word_class("whether_words")
+_ASKING = word_class("question_words")
 #: "Is it true that the door is open."
 _THAT = "that"
 #: A question word and its noun have at most so many words: "in which of the rooms".
@@ -47,6 +48,10 @@ def orders_of(forms: Sequence[str]) -> Iterator[Tuple[int, ...]]:
         if forms[place] in _BE:
             for front in range(1, min(_LONGEST_FRONT, place) + 1):
                 yield _moved(places, place, front)
+    if forms[0] not in _ASKING:
+        # "Do you think the door is open" leaves out "that".
+        for place in [place for place, form in enumerate(forms) if place and form in _INVERTED][:1]:
+            yield _moved(places, place, 0)
 
 
 def _moved(places: Sequence[int], place: int, to: int) -> Tuple[int, ...]:

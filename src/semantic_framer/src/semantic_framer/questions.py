@@ -34,7 +34,8 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     words = _words(case.sentence)
     length = length_of_opening([_spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
-    if not case.acts and (length or _is_question(case)):
+    # "Can you see Bob in the hall?" begins like a request, and asks.
+    if length or (not case.acts and _is_question(case)):
         orders.append(tuple(words))
     return _readings(case, orders)
 

@@ -58,7 +58,7 @@ class Nouns:
                 total += weight
         return of_weights(weights) if total else UNTYPED
 
-    def _synsets(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
+    def _synsets(self, noun: str, is_person: bool = False, is_of_one: bool = False) -> FrozenSet[int]:
         """Return the senses of a noun that can be seen and touched; none for an unknown noun.
 
         A rare sense is left out where another one is frequent: a "plate" on the table is no bag of baseball.
@@ -66,10 +66,13 @@ class Nouns:
         Args:
             noun: as for ``types``
             is_person: whether senses of persons count instead of those of things: a "chair" may lead a meeting
+            is_of_one: whether it is said of one thing: then "glasses" are spectacles, and not several glasses
         """
+        said = self._wordnet.senses(noun)
+        own = [sense for sense in said if is_of_one and sense.spelling.lower() == noun.lower()]
         senses = [
             sense
-            for sense in self._wordnet.senses(noun)
+            for sense in own or said
             for types in [frozenset().union(*map(with_parents, self._of_synset(sense.synset)))]
             if "Physical_entity" in types and ("Sentient" in types) == is_person
         ]
@@ -80,9 +83,9 @@ class Nouns:
         return frozenset(sense.synset for sense in senses if sense.count >= FREQUENT_SHARE * most)
 
     def _kinds(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
-        """Return what a noun is a kind of: the senses of ``synsets`` and every more general synset, by the file too."""
+        """Return what one thing of a noun is a kind of: its senses and every more general synset, by the file too."""
         found: Set[int] = set()
-        left = list(self.synsets(noun, is_person=is_person))
+        left = list(self.synsets(noun, is_person=is_person, is_of_one=True))
         while left:
             synset = left.pop()
             if synset not in found:

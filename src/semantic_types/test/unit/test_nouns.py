@@ -88,6 +88,13 @@ def test_likelihoods_add_up_to_one():
         assert sum(share for _, share in shipped_nouns().types(noun).types) == pytest.approx(1.0)
 
 
+def test_one_thing_called_glasses_is_no_glass():
+    glass = shipped_nouns().synsets("glass")
+    assert glass & shipped_nouns().kinds("wineglass")
+    assert not glass & shipped_nouns().kinds("glasses")
+    assert glass & shipped_nouns().synsets("glasses")
+
+
 def test_every_type_is_used_and_ends_in_a_root():
     text = NOUN_FILE.read_text(encoding="utf-8")
     for name, kind in SEMANTIC_TYPES.items():
