@@ -379,7 +379,9 @@ def _is_definite(theme: TypedArgument) -> bool:
 
 
 def _called(theme: TypedArgument, one: WorldObject) -> str:
-    return name_of(one) if one.name else _definite(theme)
+    """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
+    is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
+    return _definite(theme) if is_its_noun and not one.name else name_of(one)
 
 
 def _definite(theme: TypedArgument) -> str:
