@@ -137,6 +137,8 @@ def _read(
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
         if not kind and len(heads(sentence.tree, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
+        if not kind and sentence.word(positions[0]).upos == "ADP":
+            return None  # "can you see to the washing" asks for no thing
         if any(sentence.word(index).form.lower() in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
