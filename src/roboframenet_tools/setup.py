@@ -4,4 +4,10 @@ from distutils.core import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-setup(**generate_distutils_setup(packages=["roboframenet_tools"], package_dir={"": "src"}))
+setup(
+    **generate_distutils_setup(
+        packages=["roboframenet_tools"],
+        package_dir={"": "src"},
+        package_data={"roboframenet_tools": ["templates/*.template"]},
+    )
+)

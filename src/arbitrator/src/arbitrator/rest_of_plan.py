@@ -23,7 +23,7 @@ from arbitrator.plan import (
     parts_of,
     walk,
 )
-from roboframenet_ros.spoken_lists import join_with_and
+from roboframenet_ros.spoken_text import join_with_and
 
 #: What had less time left than this is over, seconds: nobody could tell the difference.
 _LEAST_S = 0.1

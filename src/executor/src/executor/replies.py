@@ -9,7 +9,7 @@ from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat
 from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, as_sentence, describe_failures
 from executor.run_record import NodeRecord
-from roboframenet_ros.spoken_lists import join_with_and
+from roboframenet_ros.spoken_text import join_with_and, with_capital
 
 
 class ReplyOutcome(enum.IntEnum):
@@ -128,7 +128,7 @@ class _Story:
     def answers(self) -> List[str]:
         """Return what the servers told, each sentence once: "There are four."."""
         told = (goal.answer for goal in self.goals if goal.outcome is Outcome.SUCCEEDED)
-        return [as_sentence(answer[0].upper() + answer[1:]) for answer in dict.fromkeys(told) if answer]
+        return [as_sentence(with_capital(answer)) for answer in dict.fromkeys(told) if answer]
 
     def _children(self, number: int) -> List[NodeRecord]:
         """What became of the children of a node that are no conditions."""

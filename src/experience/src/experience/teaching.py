@@ -7,7 +7,7 @@ from experience.known import Aspect, Subject
 from experience.memory import Memory
 from experience.rules import Rule, RuleKind, is_named, words_of
 from experience.trial import Judgement, Outcome, Trial
-from roboframenet_ros.spoken_lists import join_with_and
+from roboframenet_ros.spoken_text import join_with_and, with_capital
 from typed_arguments import TypedArgument
 
 #: Rules that an answer names.
@@ -183,7 +183,7 @@ def tell_choice(asked: Asked) -> Answer:
     if reason:
         return Answer(reason)
     if before:
-        return Answer(f"{_sentence_case(name_of(before[-1].server))} had failed: it {before[-1].reason.rstrip('.')}.")
+        return Answer(f"{with_capital(name_of(before[-1].server))} had failed: it {before[-1].reason.rstrip('.')}.")
     return Answer(f"{_figures(asked.memory, trial)} That did not decide: my policy or chance did.")
 
 
@@ -194,16 +194,12 @@ def _figures(memory: Memory, trial: Trial) -> str:
     if cell is None:
         return f"I remember nothing else of {name_of(trial.server)}."
     count = cell.recent.count(True)
-    return f"{_sentence_case(name_of(trial.server))} succeeded {count} of {len(cell.recent)} times."
+    return f"{with_capital(name_of(trial.server))} succeeded {count} of {len(cell.recent)} times."
 
 
 def name_of(server: str) -> str:
     """Return the name of a server for a person."""
     return server.lstrip("/")
-
-
-def _sentence_case(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 #: By the name of the frame.

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Dict, Iterable, Mapping, Optional, Tuple
 
 import word_classes
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_frames.extra_thematic import extra_thematic_of_arguments
 from semantic_frames.frame import (
     ConstantArgument,
@@ -94,13 +94,13 @@ def check_expressible(frame: SemanticFrame, element: FrameElement, argument: Typ
     allowed = ""
     relation = argument.relation
     if element.relations and relation and relation not in element.relations:
-        allowed = f"{join_with_or(tuple(other.replace('_', ' ') for other in element.relations))} something"
+        allowed = f"{join_with_or(other.replace('_', ' ') for other in element.relations)} something"
     elif element.counts and not _is_countable(argument, element.counts):
         most = max(element.counts)
-        numbers = join_with_or(tuple(str(count) for count in element.counts))
+        numbers = join_with_or(map(str, element.counts))
         allowed = f"{numbers} {'thing' if most == 1 else 'things'} at a time"
     elif element.quantifiers and argument.quantifier and argument.quantifier not in element.quantifiers:
-        allowed = f"{join_with_or(tuple(other.replace('_', ' ') for other in element.quantifiers))} something"
+        allowed = f"{join_with_or(other.replace('_', ' ') for other in element.quantifiers)} something"
     if allowed:
         said = argument.words or f"{relation.replace('_', ' ')} {argument.text}".strip()
         raise Unfillable(

@@ -3,7 +3,7 @@
 from typing import FrozenSet, List, Sequence, Tuple
 
 from frame_registrar.filling import spoken_name
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_frames.frame import ElementMapping, RelatedFrame, SemanticFrame, ValueCondition
 from semantic_frames.server_profile import Purpose, ServerProfile
 from typed_arguments import FilledFrame, Source, TypedArgument

@@ -201,22 +201,23 @@ def _search_clause(
             )
             continue
         for task in _tasks(frame, reading):
+            is_found = False
+            reasons: Sequence[Refusal] = ()
             try:
                 filled = [fill(frame, arguments) for arguments in task]
             except Unfillable as error:
-                refusals.append(Refusal(error.code, str(error)))
-                refused += [reading] if error.code in _ABOUT_VALUES else []
-                continue
-            is_found = False
-            for frames in islice(finder.find(filled), _MOST_EXAMINED):
-                is_found = True
-                found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
-                if len(found) >= max_candidates:
-                    return tuple(found.values())
-            if not is_found:
-                reasons = finder.why_not(filled)
-                refusals += reasons
-                refused += [reading] if any(reason.code in _ABOUT_VALUES for reason in reasons) else []
+                reasons = [Refusal(error.code, str(error))]
+            else:
+                for frames in islice(finder.find(filled), _MOST_EXAMINED):
+                    is_found = True
+                    found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
+                    if len(found) >= max_candidates:
+                        return tuple(found.values())
+                if not is_found:
+                    reasons = finder.why_not(filled)
+            refusals += reasons
+            if any(reason.code in _ABOUT_VALUES for reason in reasons):
+                refused.append(reading)
     if found:
         return tuple(found.values())
     if finder.is_truncated:

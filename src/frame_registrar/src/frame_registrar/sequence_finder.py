@@ -13,7 +13,7 @@ from frame_registrar.filling import (
 )
 from frame_registrar.graph import FrameGraph
 from frame_registrar.heeding import lost_arguments, sentence_about, unheeded_arguments
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_frames.frame import RelatedFrame
 from semantic_frames.server_profile import Purpose
 from typed_arguments import FilledFrame
@@ -276,7 +276,7 @@ class SequenceFinder:
 
 
 def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refusal:
-    allowed = join_with_or(tuple(dict.fromkeys(values)))
+    allowed = join_with_or(dict.fromkeys(values))
     said = filled.text(element)
     if not said:
         return Refusal(

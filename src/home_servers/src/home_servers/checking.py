@@ -49,9 +49,10 @@ def _element(frame: EmbeddedFrame, name: str) -> TypedArgument:
 def inspect(skills: Skills, frame: FilledFrame) -> None:
     """Go to something, look at it, and say how it is, or whether it is as it was said to be."""
     wanted = argument(frame, "desired_state")
-    for statement in statements(wanted):
+    said = statements(wanted)
+    for statement in said:
         _inspect_statement(skills, statement)
-    if statements(wanted):
+    if said:
         return
     for one in skills.find_all(argument(frame, "ground")):
         if wanted.text:

@@ -6,6 +6,7 @@ from typing import List
 from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
 from home_servers.skills import HEARERS, SPEAKERS, Skills, argument, said
+from roboframenet_ros.spoken_text import with_capital
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import without_determiner, word_class
 
@@ -44,7 +45,7 @@ def described(skills: Skills, one: Known) -> str:
 
 def sentence(words: str) -> str:
     """Return words as a sentence."""
-    return words[0].upper() + words[1:] + "."
+    return with_capital(words) + "."
 
 
 def locate(skills: Skills, frame: FilledFrame) -> None:

@@ -19,7 +19,7 @@ from referring_expressions.describing import (
     plural_of,
 )
 from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative
-from roboframenet_ros.spoken_lists import join_with_and
+from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import spoken
 from typed_arguments import Modifier, TypedArgument
 from word_classes import word_class
@@ -57,9 +57,9 @@ def _of_somebody(mine: TypedArgument, known: RobotKnowledge) -> str:
     """Return where the things are one of which belongs to the person who speaks."""
     parts = []
     for one in fitting(mine, known.situation)[:MOST_NAMED]:
-        owners = join_with_and([name_of(owner) for owner in known.world.owners(one)]) or "somebody"
+        owners = join_with_and(map(name_of, known.world.owners(one))) or "somebody"
         parts.append(f"the {noun_of(one)} of {owners} is {place_of(one, known.world) or 'somewhere unknown'}")
-    return f"I do not know who you are. {_capital(join_with_and(parts))}."
+    return f"I do not know who you are. {with_capital(join_with_and(parts))}."
 
 
 def _abilities(_: Arguments, known: RobotKnowledge) -> str:
@@ -107,7 +107,7 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
     if len(found) == 1:
         called = _called(theme, found[0])
-        return f"{_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
+        return f"{with_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
     parts = [f"{'one' if not one.name else name_of(one)} is {place or 'somewhere unknown'}" for one, place in placed]
     known_of = f"I know of {len(found)} {_plural(theme, found)}: "
     named = join_with_and(_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts))
@@ -147,7 +147,7 @@ def _what_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     if not found:
         what = f"no {bare_noun(theme)}" if theme is not None else "nothing"
         return f"I know of {what} {location.words}."
-    return f"{_capital(location.words)} there {_is(found, noun_of(found[0]))} {join_with_and(_indefinite(found))}."
+    return f"{with_capital(location.words)} there {_is(found, noun_of(found[0]))} {join_with_and(_indefinite(found))}."
 
 
 def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -158,7 +158,7 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     found = at_place(persons, location, known.situation)
     if not found:
         return f"I know of nobody {location.words}."
-    return f"{_capital(join_with_and(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
+    return f"{with_capital(join_with_and(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
 
 
 def _state(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -169,7 +169,7 @@ def _state(arguments: Arguments, known: RobotKnowledge) -> str:
         return unknown_of(theme)
     opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if state in words)) - {state}
     verdicts = {True if state in one.properties else False if opposites & set(one.states) else None for one in found}
-    name = _capital(_called(theme, found[0])) if len(found) == 1 else _capital(as_said(theme))
+    name = with_capital(_called(theme, found[0])) if len(found) == 1 else with_capital(as_said(theme))
     verb = _is(found, name)
     is_choice = "alternative" in arguments
     if verdicts == {True}:
@@ -240,7 +240,9 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     if one.attributes:
         facts.append(f"is {join_with_and(one.attributes)}")
     return (
-        f"Yes. {_capital(_called(theme, one))} {join_with_and(facts)}." if facts else f"Yes, I know {as_said(theme)}."
+        f"Yes. {with_capital(_called(theme, one))} {join_with_and(facts)}."
+        if facts
+        else f"Yes, I know {as_said(theme)}."
     )
 
 
@@ -276,11 +278,9 @@ def _owner(arguments: Arguments, known: RobotKnowledge) -> str:
     if not any(persons for _, persons in owners):
         return f"I do not know whom {as_said(theme)} {'belongs' if len(found) == 1 else 'belong'} to."
     if len(found) == 1:
-        return (
-            f"{_capital(_called(theme, found[0]))} belongs to {join_with_and([name_of(one) for one in owners[0][1]])}."
-        )
+        return f"{with_capital(_called(theme, found[0]))} belongs to {join_with_and(map(name_of, owners[0][1]))}."
     parts = [
-        f"{_named(one)} to {join_with_and(list(map(name_of, persons))) or 'somebody whom I do not know'}"
+        f"{_named(one)} to {join_with_and(map(name_of, persons)) or 'somebody whom I do not know'}"
         for one, persons in owners[:MOST_NAMED]
     ]
     return f"I know of {len(found)} {_plural(theme, found)}: {join_with_and(parts)}."
@@ -296,7 +296,7 @@ def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
         called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
-        return f"{_capital(called)} {_is(found, called)} {join_with_and(colours[0])}."
+        return f"{with_capital(called)} {_is(found, called)} {join_with_and(colours[0])}."
     parts = [
         f"the one {place_of(one, known.world) or 'somewhere unknown'} is {join_with_and(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)
@@ -420,10 +420,6 @@ def _is(found: Sequence[WorldObject], noun: str) -> str:
 
 def _reported(one: WorldObject) -> str:
     return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _lower(text: str) -> str:

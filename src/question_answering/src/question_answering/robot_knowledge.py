@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Dict, FrozenSet, List, Mapping, Sequence, Tuple
 
 from referring_expressions import Situation
+from roboframenet_ros.spoken_text import with_capital
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from world_model import World
@@ -128,7 +129,7 @@ def examples_of(
         seen.add(frame.name)
         domain = Path(frame.path).parents[1].name if len(Path(frame.path).parents) > 1 else ""
         text = unit.examples[0].text
-        of_domain.setdefault(domain, []).append(text[:1].upper() + text[1:])
+        of_domain.setdefault(domain, []).append(with_capital(text))
     found: List[str] = []
     while any(of_domain.values()):
         found += [examples.pop(0) for examples in of_domain.values() if examples]

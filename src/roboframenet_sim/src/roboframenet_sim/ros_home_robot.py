@@ -19,8 +19,8 @@ from roboframenet_sim.home_engine import Outcome
 from roboframenet_sim.home_floor import PERSON_RADIUS_M
 from roboframenet_sim.home_state import ROBOT
 from roboframenet_sim.point_cloud import Cylinder
+from roboframenet_sim.ros_arms import RosArms
 from roboframenet_sim.ros_base import BaseSettings, RosBase, quaternion_of_yaw
-from roboframenet_sim.ros_pr2 import RosArms
 from roboframenet_sim.ros_sensors import RosBattery, RosLaser
 from roboframenet_sim.ros_world_objects import map_objects, seen_objects
 

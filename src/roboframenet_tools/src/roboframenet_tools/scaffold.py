@@ -2,10 +2,19 @@
 
 import re
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Dict, List, Optional, Sequence, Tuple
 
-from roboframenet_tools import new_templates as templates
-
+#: Whole files, beside this module in the source, devel and install space; in braces what ``str.format`` fills in.
+_TEMPLATES = Path(__file__).resolve().parent / "templates"
+_CALLBACK = '''def {name}(frame):
+    """Do it; a goal that is not ended here succeeds, an exception aborts it with its text."""
+    rospy.loginfo("{verb}: %s", argument(frame, "{element}"))'''
+_EXECUTE = '''def execute(goal):
+    """Do it; end the goal with set_succeeded, set_aborted (text= says why) or set_preempted."""
+    rospy.loginfo("{verb}: %s", goal)
+    server.set_succeeded()'''
+_NODE = '  <node pkg="{package}" type="{name}_server" name="{name}_server" respawn="$(arg respawn)" output="screen"/>'
 _NAME = re.compile(r"[a-z][a-z0-9_]*")
 _VERB = re.compile(r"[a-z]+( [a-z]+)*")
 
@@ -80,13 +89,13 @@ def ability_files(ability: Ability) -> Dict[str, str]:
         f"frames/{name}.yaml": _frame(ability),
         f"lexical_units/{name}.yaml": _unit(ability),
         f"nodes/{name}_server": _server(ability),
-        f"test/unit/test_{name}.py": templates.UNIT_TEST.format(name=name),
+        f"test/unit/test_{name}.py": _filled("unit_test.py", name=name),
     }
     if ability.package:
         capital = "".join(part.capitalize() for part in name.split("_"))
         words = {"name": name, "package": ability.package, "capital": capital, "sentence": _sentence(ability)}
-        paths[f"test/rostest/{name}.test"] = templates.ROSTEST.format(**words)
-        paths[f"test/rostest/{name}_test.py"] = templates.ROSTEST_CODE.format(**words)
+        paths[f"test/rostest/{name}.test"] = _filled("rostest.test", **words)
+        paths[f"test/rostest/{name}_test.py"] = _filled("rostest.py", **words)
     return paths
 
 
@@ -94,15 +103,22 @@ def package_files(ability: Ability) -> Dict[str, str]:
     """Return the text of each file that a package needs beside those of its first ability."""
     dependencies = f"  <exec_depend>{ability.action[0]}</exec_depend>\n" if ability.action else ""
     return {
-        "package.xml": templates.PACKAGE_XML.format(package=ability.package, dependencies=dependencies),
-        "CMakeLists.txt": templates.CMAKE_LISTS.format(package=ability.package),
-        f"launch/{ability.package}.launch": templates.LAUNCH.format(package=ability.package, nodes=node_line(ability)),
+        "package.xml": _filled("package.xml", package=ability.package, dependencies=dependencies),
+        "CMakeLists.txt": _filled("CMakeLists.txt", package=ability.package),
+        f"launch/{ability.package}.launch": _filled(
+            "abilities.launch", package=ability.package, nodes=node_line(ability)
+        ),
     }
 
 
 def node_line(ability: Ability) -> str:
     """Return the line of a launch file that starts the server."""
-    return templates.NODE.format(package=ability.package, name=ability.name)
+    return _NODE.format(package=ability.package, name=ability.name)
+
+
+def _filled(template: str, **words: str) -> str:
+    """Return the text of a file of which ``templates`` has the pattern."""
+    return (_TEMPLATES / f"{template}.template").read_text(encoding="utf-8").format(**words)
 
 
 def is_program(path: str) -> bool:
@@ -143,7 +159,7 @@ def _frame(ability: Ability) -> str:
                 else f"What {'are' if element.is_list else 'is'} the {words}?"
             )
             lines += [f"    question: {question}", f"    answer: {element.arguments[0]}"]
-    return templates.FRAME.format(name=ability.name, verb=ability.verb, elements="\n".join(lines or ["  []"]))
+    return _filled("frame.yaml", name=ability.name, verb=ability.verb, elements="\n".join(lines or ["  []"]))
 
 
 def _unit(ability: Ability) -> str:
@@ -165,7 +181,8 @@ def _unit(ability: Ability) -> str:
     examples = [
         f"  - text: {_said(text, ability.verb)}\n    frame_elements: {filled}" for text, filled in _examples(ability)
     ]
-    return templates.UNIT.format(
+    return _filled(
+        "lexical_unit.yaml",
         name=ability.name,
         verb=ability.verb,
         relations="\n".join(relations or ["  []"]),
@@ -185,13 +202,18 @@ def _server(ability: Ability) -> str:
         folder = f'rospkg.RosPack().get_path("{ability.package}")'
     if ability.action:
         package, kind = ability.action
-        callback = templates.EXECUTE.format(**words)
+        callback = _EXECUTE.format(**words)
         imports += ["from rfnserver import RFNServer", f"from {package}.msg import {kind}"]
         constructor = f'RFNServer("{ability.name}", {kind}, execute_cb=execute, auto_start=False)'
     else:
-        callback = templates.CALLBACK.format(**words)
+        callback = _CALLBACK.format(**words)
         imports += ["from rfnserver import RFNServer", "from rfnserver.arguments import argument"]
         constructor = f'RFNServer("{ability.name}", {ability.name})'
-    return templates.SERVER.format(
-        imports="\n".join(imports) + "\n", folder=folder, callback=callback, constructor=constructor, **words
+    return _filled(
+        "server.py",
+        imports="\n".join(imports) + "\n",
+        folder=folder,
+        callback=callback,
+        constructor=constructor,
+        **words,
     )

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple, Union
 
 from command_server.stop_words import find_cry
+from roboframenet_ros.spoken_text import with_capital
 from robot_fleet.address_text import Part, split_by_address, unknown_address
 from robot_fleet.address_words import address_words
 from robot_fleet.designators import Group, Kind, Names, tokens_of
@@ -140,8 +141,7 @@ class _Open:
 
 def spoken(name: str) -> str:
     """Return the name of a robot for a sentence: "Alpha"."""
-    words = name.replace("_", " ").strip()
-    return words[:1].upper() + words[1:]
+    return with_capital(name.replace("_", " ").strip())
 
 
 def listed(names: Sequence[str], word: str = "and") -> str:

@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, List, Optional, Tuple
 
-from roboframenet_ros.spoken_lists import join_with_and
+from roboframenet_ros.spoken_text import join_with_and
 from robot_stop.servers import Server, shown_names
 
 #: A goal that was stamped so soon after a stop may belong to a command from before it.

@@ -2,7 +2,7 @@
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer.dialogue import is_yes
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence

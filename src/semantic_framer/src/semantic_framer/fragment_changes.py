@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Optional, Sequence
 
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer.amending import Clauses, amended, measured
 from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragment_kind import FragmentKind

@@ -6,7 +6,7 @@ from spoken_quantities import find_whole_number
 from word_classes import word_class, word_list
 
 #: A larger number of times is rather a word that was heard wrongly.
-MOST_TIMES = 100
+_MOST_TIMES = 100
 _ADVERBS = word_list("iteration_adverbs")
 _NOUNS = word_class("iteration_nouns")
 
@@ -17,11 +17,11 @@ def times_said(forms: Sequence[str]) -> Optional[Tuple[int, int]]:
     Args:
         forms: words in lower case: "twice", "three times"
     Returns:
-        the number, from 1 to ``MOST_TIMES``, and how many words say it; None if the words begin with something else
+        the number, from 1 to 100, and how many words say it; None if the words begin with something else
     """
     if forms and forms[0] in _ADVERBS:
         return _ADVERBS.index(forms[0]) + 1, 1
     if len(forms) < 2 or forms[1] not in _NOUNS:
         return None
     number = find_whole_number(forms[0])
-    return (number, 2) if number is not None and 1 <= number <= MOST_TIMES else None
+    return (number, 2) if number is not None and 1 <= number <= _MOST_TIMES else None

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple, Union
 
 from referring_expressions import unknown_of
-from roboframenet_ros.spoken_lists import join_with_and, join_with_or
+from roboframenet_ros.spoken_text import join_with_and, join_with_or
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Callable, Iterable, Optional, Tuple
 
-from roboframenet_ros.spoken_lists import join_with_or
+from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind

@@ -145,8 +145,7 @@ def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> Dependenc
             case for child in behind for case in tree.children(child.index) if case.form.lower() in _TO_PREPOSITIONS
         ]
         if goals and particle.index + 1 == min(tree.subtree(ways[0].index)):
-            edit.retag(particle.index, "ADP", "IN")
-            edit.rehang(particle.index, ways[0].index, "case")
+            edit.make_preposition(particle.index, ways[0].index)
             edit.relabel(ways[0].index, "obl")
     return edit.tree()
 

@@ -23,8 +23,7 @@ def with_ahead_as_preposition(tree: DependencyTree, _: Vocabulary) -> Dependency
         for child in tree.children(word.index):
             if child.index != noun.index:
                 edit.rehang(child.index, noun.index)
-        edit.retag(word.index, "ADP", "IN")
-        edit.rehang(word.index, noun.index, "case")
+        edit.make_preposition(word.index, noun.index)
         edit.rehang(following.index, word.index, "fixed")
     return edit.tree()
 

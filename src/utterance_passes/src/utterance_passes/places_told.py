@@ -75,8 +75,7 @@ def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_where = where.form.lower() == "where" and where.deprel in ("ccomp", "xcomp", "advcl", "obj")
         if not is_where or verb.lemma.lower() not in _SHOWING or len(subjects) != 1 or len(copulas) != 1:
             continue
-        edit.retag(where.index, "ADP", "IN")
-        edit.rehang(where.index, subjects[0].index, "case")
+        edit.make_preposition(where.index, subjects[0].index)
         edit.rehang(subjects[0].index, verb.index, "obl")
         for child in children:
             if child.index != subjects[0].index:

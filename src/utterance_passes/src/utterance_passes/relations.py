@@ -23,8 +23,7 @@ def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         first = [child for child in objects if child.index < particle.index]
         second = [child for child in objects if min(tree.subtree(child.index)) == particle.index + 1]
         if first and second:
-            edit.retag(particle.index, "ADP", "IN")
-            edit.rehang(particle.index, second[0].index, "case")
+            edit.make_preposition(particle.index, second[0].index)
             edit.relabel(second[0].index, "obl")
     return edit.tree()
 

@@ -41,6 +41,11 @@ class TreeEdit:
         word = self.word(index)
         self._words[index - 1] = replace(word, upos=upos, xpos=xpos or word.xpos)
 
+    def make_preposition(self, index: int, noun: int) -> None:
+        """Make a word the preposition of a noun."""
+        self.retag(index, "ADP", "IN")
+        self.rehang(index, noun, "case")
+
     def tag(self, index: int, upos: str, xpos: str, feats: str) -> None:
         """Replace all tags of a word; its lemma becomes its form in lower case."""
         word = self.word(index)
