@@ -12,6 +12,7 @@ from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
+from semantic_framer.references import thing_told
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
@@ -59,6 +60,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         now.write("choices", offered, "asked. The person left it open.")
         return Heard(*ask_which(choices, context, now), sentence, clauses)
     kept = tuple(read.kept for read in clauses)
+    read_ones = [read.clause for read in clauses]
+    thing = thing_told(sentence, (clause for clause in case.clauses if clause not in read_ones))
+    context = replace(context, thing=thing) if thing else context
     outcome, context = resolve_and_confirm(kept, sentence, context, now)
     words = words_outside(sentence, case.clauses)
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

@@ -11,6 +11,7 @@ from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
+_OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
 _SAYING = word_class("saying_verbs")
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
@@ -37,8 +38,8 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word in _greeting_behind(tree, verb, objects[0]):
                 edit.retag(word.index, "NOUN", "NN")
                 edit.relabel(word.index, "obj")
-        elif len(objects) == 1 and is_person(objects[0]):
-            for word in _behind_description(tree, objects[0]):
+        elif len(objects) == 1 and (is_person(objects[0]) or objects[0].upos == "PROPN"):
+            for word in _behind_description(tree, objects[0]) or _behind_place(tree, verb):
                 edit.rehang(word.index, verb.index, "obj")
                 edit.relabel(objects[0].index, "iobj")
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
@@ -58,9 +59,15 @@ def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Wo
 
 
 def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bool:
-    """Whether the second object stands right behind the first, which is a person: "offer *the guests* some tea"."""
-    is_behind = max(tree.subtree(first.index)) + 1 == min(tree.subtree(second.index))
-    return is_behind and first.deprel == second.deprel == "obj" and is_person(first)
+    """Whether the second object stands behind the first, which is a person, or behind the place where the person is:
+    "offer *the guests* some tea", "bring *me* please a spoon", "give *the man* at the door a cup"."""
+    between = tree.words[max(tree.subtree(first.index)) : min(tree.subtree(second.index)) - 1]
+    places = [child for child in tree.children(first.head) if first.index < child.index < second.index]
+    below = frozenset().union(*(tree.subtree(place.index) for place in places if place.deprel == "obl"))
+    is_around = all(word.upos in ("INTJ", "PUNCT") or word.index in below for word in between)
+    is_behind = is_around and first.index < second.index
+    is_anybody = is_person(first) or first.form.lower() in _OBJECT_PRONOUNS
+    return is_behind and first.deprel == second.deprel == "obj" and is_anybody
 
 
 def _unmarked(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
@@ -72,9 +79,17 @@ def _unmarked(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
         child
         for child in children
         if behind and child.index > behind and child.deprel in ("obl", "obl:unmarked", "dep") and child.upos in _NOUNS
-        if _begins_with_article(tree, child)
-        if shipped_types().of_noun([child.form.lower(), child.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
+        if _begins_with_article(tree, child) and _is_thing(child)
     )
+
+
+def _behind_place(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
+    """Return the thing behind the place where a person is: "bring Anna in the kitchen *a glass of water*"."""
+    return tuple(word for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1] if _is_thing(word))
+
+
+def _is_thing(word: Word) -> bool:
+    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:

@@ -167,6 +167,17 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.command_verb,
     ),
     TagPass(
+        "verbs_behind_commas",
+        "Tag a verb of the lexicon behind a comma as a verb that the tagger took for a noun.",
+        Example(
+            "find|VERB Anna|PROPN ,|PUNCT spot|NOUN Bob|PROPN",
+            ("4 VERB VB",),
+            Verbs(frozenset(["find", "spot"])),
+        ),
+        Stage.PARSER,
+        tagging.verbs_behind_commas,
+    ),
+    TagPass(
         "numbered_noun",
         'Tag a word between "to" and a final number or letter as a noun if the lexicon does not know it as a verb.',
         Example(
