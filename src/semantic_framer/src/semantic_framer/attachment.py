@@ -94,14 +94,17 @@ def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) 
     )
 
 
-def persons_behind(tree: DependencyTree, verb: int, preposition: str) -> Tuple[int, ...]:
+def persons_behind(tree: DependencyTree, verb: int, preposition: str, *, is_needed: bool = False) -> Tuple[int, ...]:
     """Return a person at the end of a description that the parser attached to a noun in it: "describe the man sitting
     at the table *to me*", "... lying at the exit *to the person at the bar*"; no place is to anybody.
+
+    A place may be meant only if the verb needs one: "lead the man dressed in a coat in the hall *to the exit*".
 
     Args:
         tree: the sentence
         verb: of the description
         preposition: of the person
+        is_needed: whether the verb of the sentence lacks something without such a phrase
     """
     last = max(tree.subtree(verb))
     found = []
@@ -113,9 +116,9 @@ def persons_behind(tree: DependencyTree, verb: int, preposition: str) -> Tuple[i
         is_speaker = word.form.lower() in _SPEAKERS
         # "The man reading the letter to the nurse": the letter may be to her.
         is_of_place = governor.index != verb and governor.deprel in ("obl", "nmod") and not is_person(governor)
-        if is_end and (is_speaker or (is_of_place and preposition == "to" and is_person(word))):
+        if is_end and (is_speaker or (is_of_place and preposition == "to" and (is_needed or is_person(word)))):
             found.append(index)
-    return tuple(found[:1])
+    return tuple(found[-1:])
 
 
 def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:

@@ -302,7 +302,7 @@ class _Filling:
                 if inner.deprel == "nmod" and inner.index > noun:
                     found += below
                 if inner.deprel == "acl":
-                    found += persons_behind(self._sentence.tree, inner.index, preposition)
+                    found += persons_behind(self._sentence.tree, inner.index, preposition, is_needed=is_core)
                     found += behind_description(self._sentence.tree, inner.index, below)
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition

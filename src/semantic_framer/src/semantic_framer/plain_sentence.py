@@ -17,6 +17,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.small_talk import answer_small_talk, small_talk_of
+from semantic_framer.things_asked_for import as_said, asked_for
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
 from utterance_passes.clauses import find_clauses
@@ -42,6 +43,13 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
         return Heard(*_changed(change, sentence, context, now), sentence)
+    wanted = asked_for(sentence, clauses_of_tree, now.known)
+    if wanted is not None:
+        now.write("things_asked_for", sentence.tree.text, wanted.tree.text)
+        heard = read_plain(wanted, context, now)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=as_said(heard.outcome), sentence=sentence)
+        return heard
     known, policy = now.known, now.policy
     case = case_of(sentence, found_clauses(sentence, clauses_of_tree, known, now.trace), known, policy)
     if now.trace is not None:

@@ -135,6 +135,11 @@ def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     edit = TreeEdit(tree)
     for but in tree.words:
         thing = tree.word(but.head) if but.head else but
+        before = tree.word(but.index - 1) if but.index > 1 else but
+        is_of_verb = but.deprel == "case" and thing.deprel == "obl" and before.head == thing.head
+        if but.form.lower() in _EXCEPTIONS and is_of_verb and before.deprel == "obj" and _is_of_all(tree, before):
+            edit.rehang(thing.index, before.index, "nmod")
+            continue
         if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
             continue
         if _is_of_all(tree, tree.word(thing.head)) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):

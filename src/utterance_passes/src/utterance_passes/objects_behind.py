@@ -4,15 +4,17 @@ from typing import Tuple
 
 from semantic_types import Fit, shipped_types
 from utterance_passes.persons import is_person
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
+_GOING = word_class("verbs_of_going")
 _OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
 _SAYING = word_class("saying_verbs")
+_THING_PRONOUNS = frozenset(["it", "them"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 #: Relations that the parser gives to such a phrase if it takes it for a part of the phrase before it.
@@ -33,6 +35,9 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not objects:
             for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
                 edit.rehang(word.index, verb.index, "obj")
+            for word, preposition in _slips(tree, verb):
+                edit.relabel(word.index, "obj")
+                edit.rehang(preposition.index, verb.index, ASIDE)
         elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
             edit.relabel(objects[0].index, "iobj")
             for word in _greeting_behind(tree, verb, objects[0]):
@@ -45,6 +50,20 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _slips(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
+    """Return a pronoun for a thing, and its preposition, if the same preposition follows at once: nobody delivers "*to
+    it* to Anna"."""
+    phrases = [child for child in tree.children(verb.index) if child.deprel == "obl" and child.index > verb.index]
+    for pronoun, behind in zip(phrases, phrases[1:]):
+        cases = [case for case in tree.children(pronoun.index) if case.deprel == "case"]
+        others = [case for case in tree.children(behind.index) if case.deprel == "case"]
+        is_twice = cases and others and cases[0].form.lower() == others[0].form.lower() == "to"
+        is_thing = pronoun.form.lower() in _THING_PRONOUNS and verb.lemma.lower() not in _GOING
+        if is_twice and is_thing and cases[0].index == verb.index + 1 and others[0].index == pronoun.index + 1:
+            return ((pronoun, cases[0]),)
+    return ()
 
 
 def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Word, ...]:

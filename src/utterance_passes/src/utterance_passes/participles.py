@@ -42,7 +42,7 @@ def with_participles_at_nouns(tree: DependencyTree, _: Vocabulary) -> Dependency
             continue
         if _is_tagged_as_adjective(tree, word):
             edit.retag(word.index, "VERB", "VBN")
-            edit.relabel(word.index, "acl")
+            edit.rehang(word.index, word.index - 1, "acl")
             for place in tree.words[word.index :]:
                 if place.head < word.index and min(tree.subtree(place.index)) == word.index + 1:
                     edit.rehang(place.index, word.index, "obl")
@@ -56,9 +56,12 @@ def with_participles_at_nouns(tree: DependencyTree, _: Vocabulary) -> Dependency
 def _is_tagged_as_adjective(tree: DependencyTree, word: Word) -> bool:
     """Whether a word is a participle behind a person, and the parser takes it for an adjective: "the man *dressed* in a
     red coat"."""
-    is_behind = word.deprel == "amod" and 0 < word.head == word.index - 1 and word.index < len(tree.words)
+    if word.upos != "ADJ" or not 1 < word.index < len(tree.words):
+        return False
+    noun = tree.word(word.index - 1)
+    is_behind = word.deprel in ("amod", "advmod", "xcomp") and word.head in (noun.index, noun.head)
     is_participle = word.form.lower().endswith("ed") or word.xpos in _PARTICIPLES
-    return is_behind and is_participle and is_person(tree.word(word.head)) and tree.word(word.index + 1).upos == "ADP"
+    return is_behind and is_participle and is_person(noun) and tree.word(word.index + 1).upos == "ADP"
 
 
 def _person_of_compound(tree: DependencyTree, word: Word) -> Optional[Word]:

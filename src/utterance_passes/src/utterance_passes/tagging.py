@@ -19,6 +19,7 @@ _NEVER_OWNERS = word_class("pronouns_before_is")
 _PERSONS = word_class("personal_subjects")
 _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
+_CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
 _LEAD_IN = word_class("lead_in")
 _RESULTS = word_class("resulting_states")
@@ -177,8 +178,10 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         # "See the door open" has two verbs, "pull the door closed" has one.
         if tag == "NOUN" or (tag == "VERB" and form.lower().endswith("ed"))
-        if form.lower() in _RESULTS and position > 2 and tags[position - 2] == "NOUN"
-        if position == len(forms) or tags[position] in ("PUNCT", "CCONJ", "INTJ")
+        if form.lower() in _RESULTS | _CHANGED and position > 2 and tags[position - 2] == "NOUN"
+        if position == len(forms)
+        or tags[position] in ("PUNCT", "CCONJ", "INTJ")
+        or (form.lower() in _CHANGED and tags[position] == "ADP")
     )
 
 

@@ -31,13 +31,13 @@ from utterance_passes.utterance_pass import (
 
 ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
-    "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends typos "
-    "surroundings run_ons "
-    "command_verb numbered_noun adverbs gerunds_as_nouns names_as_verbs contracted_verbs "
+    "minus_sign negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions blanks "
+    "ends typos less_precise surroundings run_ons "
+    "command_verb verbs_behind_commas numbered_noun adverbs gerunds_as_nouns names_as_verbs contracted_verbs "
     "verbs_of_conditions resulting_states "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
-    "modals_as_nouns asked_clauses told_predicates hands_at_verbs upside_down places_in_a_row purposes_of_things "
+    "modals_as_nouns commands_behind_statements prepositions_at_names asked_clauses told_predicates hands_at_verbs upside_down places_in_a_row purposes_of_things "
     "things_named_again exceptions "
     "ways_behind_particles contrasts particles_on_the_way ahead_of speeds_together superlatives_at_nouns "
     "places_of_devices places_of_all measured_turns sides_apart "
