@@ -56,8 +56,8 @@ def command_behind(rest: str) -> str:
             continue
         if is_pause and word in COMMAND_VERBS:
             return _command_at(text, tokens, position)
-        if is_pause and word in _SIDES and all(one in _SIDES | _PAUSES | FILLERS | SOFT for one in words[position:]):
-            return _command_at(text, tokens, position)
+        if is_pause and word in _SIDES and all(one in _SIDES | _PAUSES | SOFT for one in words[position:]):
+            return text[tokens[position].start :].strip()
         if is_pause and word in _REQUESTS and words[position + 1 : position + 2] == ["you"]:
             position += 2
             continue

@@ -101,7 +101,8 @@ def is_numbered_place(filled: Filled) -> bool:
     "go on three hundred to the door"."""
     children = filled.tree.children(filled.head.index)
     cases = [child.index for child in children if child.deprel == "case"]
-    if filled.roles & PLACES and any(child.deprel == "nummod" and child.index < min(cases, default=0) for child in children):
+    first = min(cases, default=0)
+    if filled.roles & PLACES and any(child.deprel == "nummod" and child.index < first for child in children):
         return True
     is_share = filled.head.lemma.lower() in _SHARES and any(
         child.deprel == "nummod" for child in filled.tree.children(filled.head.index)

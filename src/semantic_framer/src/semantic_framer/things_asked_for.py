@@ -17,7 +17,7 @@ from word_classes import word_class
 #: What is done with a thing for which somebody asks.
 _VERB = "bring"
 _PLEASE = frozenset(["please"])
-_ONE = frozenset(["a", "an", "some", "another"])
+_ONE = word_class("indefinite_articles") | frozenset(["some"])
 #: A thing without an article: "lights, please" does not ask for lights to be brought.
 _BARE = ("Food", "Fluid")
 _COUNTED = ("Physical_object", "Substance")

@@ -34,11 +34,10 @@ def said(outcome: Any) -> str:
         ("Bring Anna in the kitchen a glass.", "bringing(theme=a glass, beneficiary=Anna in the kitchen)"),
         ("Bring me please a glass of water.", "bringing(theme=a glass of water, beneficiary=me)"),
         # Nobody is spoken to without a pause.
-        ("Please spot Ali, escort him to the exit.", "locating(sought_entity=Ali) + guiding(cotheme=him, goal=the exit)"),
+        ("Spot Ali, escort him to the exit.", "locating(sought_entity=Ali) + guiding(cotheme=him, goal=the exit)"),
         (
-            "Pinpoint Hayden in the living room, spot Alex, and answer a question.",
-            "locating(sought_entity=Hayden, ground=the living room) + locating(sought_entity=Alex) + "
-            "answering(trigger=a question)",
+            "Pinpoint Hayden in the hall, spot Alex, and wave.",
+            "locating(sought_entity=Hayden, ground=the hall) + locating(sought_entity=Alex) + waving()",
         ),
         (
             "Take the peach from the counter, and look for Adam at the chair.",
@@ -53,7 +52,10 @@ def said(outcome: Any) -> str:
         ),
         ("the window is not closed, close it", "closing(container_portal=the window)"),
         # Said again.
-        ("Turn to your left turn forty five degrees to your left.", "turning(direction=left, angle=45, angle_unit=degrees)"),
+        (
+            "Turn to your left turn forty five degrees to your left.",
+            "turning(direction=left, angle=45, angle_unit=degrees)",
+        ),
         ("Bring me three apples, actually make that four.", "bringing(theme=4 apples, beneficiary=me)"),
         ("Bring me the blue, uh, the green mug.", "bringing(theme=the green mug, beneficiary=me)"),
         (

@@ -16,11 +16,15 @@ from word_classes import word_class
 _SAID = re.compile(r"[\w']+")
 _NUMBER = f"(?:\\d+|{'|'.join(number_words())})"
 #: A number of things, and how many of them each person or place gets.
-_ALL = re.compile(rf"\b(?P<all>a couple of|{_NUMBER}) (?P<things>[a-z]+(?: [a-z]+){{0,2}}), (?P<shares>{_NUMBER} .+)", re.I)
-_SHARE = re.compile(rf"(?:^|(?<=, )|(?<=and ))(?P<number>{_NUMBER})(?= (?:for|to|on|in|into|onto|at|next)\b)", re.I)
+_ALL = re.compile(
+    rf"\b(?P<all>a couple of|{_NUMBER}) (?P<things>[a-z]+(?: [a-z]+){{0,2}}), (?P<shares>{_NUMBER} .+)", re.IGNORECASE
+)
+_BEHIND = "|".join(sorted(word_class("place_prepositions") | word_class("to_prepositions") | {"for"}))
+_SHARE = re.compile(rf"(?:^|(?<=, )|(?<=and ))(?P<number>{_NUMBER})(?= (?:{_BEHIND})\b)", re.IGNORECASE)
+_DETERMINER = "|".join(sorted(word_class("determiners_and_possessives")))
 _FILLER = any_of(shipped_formulas()["fillers"]).pattern
 _BROKEN_PHRASE = re.compile(
-    rf"\b(?P<article>the|a|an|my|your|our) (?P<property>\w+),? (?:{_FILLER}),? (?P<again>(?P=article) \w+)", re.I
+    rf"\b(?P<article>{_DETERMINER}) (?P<property>\w+),? (?:{_FILLER}),? (?P<again>(?P=article) \w+)", re.IGNORECASE
 )
 _BORDERS = frozenset([",", ".", "!", "?", ";", ":"])
 _JOINING = word_class("clause_borders")
@@ -110,4 +114,3 @@ def _is_in_order(some: List[str], of: List[str]) -> bool:
     """Whether words occur among others in the same order."""
     left = iter(of)
     return len(some) < len(of) and all(word in left for word in some)
-

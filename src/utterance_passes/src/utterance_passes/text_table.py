@@ -91,9 +91,7 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     TextPass(
         "shares",
         "Name the things in each share of them.",
-        Example(
-            "bring two cups, one for me and one for Bob", ("bring one cup for me and one cup for Bob",)
-        ),
+        Example("bring two cups, one for me and one for Bob", ("bring one cup for me and one cup for Bob",)),
         Stage.PARSER,
         restatements.with_shares_named,
     ),
