@@ -52,7 +52,8 @@ from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import may_still_move, sentence_of
 from robot_stop.settings import BrakeSettings
 
-_LONGEST_WAIT_S = 0.2
+# How often the worker looks at what tells nothing: who is connected. While nothing is open, that can wait.
+_LONGEST_WAIT_S, _IDLE_WAIT_S = 0.2, 1.0
 _JOIN_TIMEOUT_S = 5.0
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 2.0
@@ -140,13 +141,12 @@ class CommandServerNode:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=1.0)
-        self._action.shutdown()
         self._store.close()
 
     def _work(self) -> None:
         while True:
             events = self._events.take(
-                longest_wait_s=_LONGEST_WAIT_S,
+                longest_wait_s=_IDLE_WAIT_S if self._is_idle() else _LONGEST_WAIT_S,
                 deadlines_s=(
                     self._commands.next_deadline_s(),
                     self._stops.next_deadline_s(),
@@ -182,6 +182,11 @@ class CommandServerNode:
             self._save()
             self._texts.send()
             self._replies.publish_status(self._commands.open_commands)
+
+    def _is_idle(self) -> bool:
+        """Whether nothing waits but what has a deadline, or comes as an event."""
+        is_waiting = self._texts.is_waiting or self._left_over.is_waiting or self._brakings
+        return not (is_waiting or self._commands.open_commands)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):
