@@ -171,7 +171,9 @@ class StandingOrdersNode:
 
     def _shutdown(self) -> None:
         self._inbox.put(None)
-        self._worker.join(5.0)
+        # A shutdown may come while the node starts.
+        if self._worker.is_alive():
+            self._worker.join(5.0)
         self._watches.close()
         self._store.close()
 
