@@ -98,7 +98,6 @@ class CommandServerNode:
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
-
         self._texts = TextsOut()
         self._orders_due = OrdersDue(self._commands)
         self._stopped_plans = StoppedPlans(self._commands, on_declined=self._conclude)
@@ -185,8 +184,7 @@ class CommandServerNode:
 
     def _is_idle(self) -> bool:
         """Whether nothing waits but what has a deadline, or comes as an event."""
-        is_waiting = self._texts.is_waiting or self._left_over.is_waiting or self._brakings
-        return not (is_waiting or self._commands.open_commands)
+        return not (self._commands.open_commands or self._brakings or self._texts.is_waiting or self._left_over.is_waiting)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):
