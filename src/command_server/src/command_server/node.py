@@ -54,15 +54,14 @@ from robot_stop.settings import BrakeSettings
 
 # How often the worker looks at what tells nothing: who is connected. While nothing is open, that can wait.
 _LONGEST_WAIT_S, _IDLE_WAIT_S = 0.2, 1.0
-_JOIN_TIMEOUT_S = 5.0
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 2.0
 # A stop is answered within this multiple of its time-out: for its report, then for its reply.
 _WAIT_FOR_STOP = 3.0
 # How long a brake may take to report which nodes obey, beyond its own time-out.
 _BRAKE_SLACK_S = 1.0
-# Time in which the last messages leave the process.
-_FLUSH_S = 0.1
+# At the end: for the worker, and for the last messages to leave the process.
+_JOIN_TIMEOUT_S, _FLUSH_S = 5.0, 0.1
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
@@ -98,6 +97,7 @@ class CommandServerNode:
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
+
         self._texts = TextsOut()
         self._orders_due = OrdersDue(self._commands)
         self._stopped_plans = StoppedPlans(self._commands, on_declined=self._conclude)
@@ -184,7 +184,7 @@ class CommandServerNode:
 
     def _is_idle(self) -> bool:
         """Whether nothing waits but what has a deadline, or comes as an event."""
-        return not (self._commands.open_commands or self._brakings or self._texts.is_waiting or self._left_over.is_waiting)
+        return not (self._commands.open_commands or self._brakings or self._left_over.is_waiting)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):

@@ -19,11 +19,6 @@ class TextsOut:
         self._unsent: Deque[CommandText] = deque()
         self._publisher = rospy.Publisher("command_text", Command, queue_size=1000)
 
-    @property
-    def is_waiting(self) -> bool:
-        """Whether a command is still to be sent."""
-        return bool(self._unsent)
-
     def add(self, command: CommandText) -> None:
         """Send a command soon."""
         self._unsent.append(command)
