@@ -16,7 +16,7 @@ from semantic_framer.attachment import (
     is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
-    nouns_behind_particle,
+    objects_elsewhere,
     persons_behind,
     places_before,
     words_before,
@@ -278,7 +278,7 @@ class _Filling:
             for governor in governors:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
-                    found += nouns_behind_particle(self._sentence.tree, self._match.positions) if step == "dobj" else []
+                    found += objects_elsewhere(self._sentence.tree, self._match.positions) if step == "dobj" else []
                     found += self._reattached(path.preposition, is_core)
                     goals = self._sentence.goals if step in _TOWARDS else ()
                     if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
@@ -302,7 +302,7 @@ class _Filling:
                 if inner.deprel == "nmod" and inner.index > noun:
                     found += below
                 if inner.deprel == "acl":
-                    found += persons_behind(self._sentence.tree, inner.index, preposition)
+                    found += persons_behind(self._sentence.tree, inner.index, preposition, is_needed=is_core)
                     found += behind_description(self._sentence.tree, inner.index, below)
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
