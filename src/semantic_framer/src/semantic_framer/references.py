@@ -101,21 +101,23 @@ def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, 
     return replace(reading, arguments=tuple(values))
 
 
-def thing_told(sentence: Sentence, told: Iterable[Clause]) -> str:
+def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     """Return the only thing that statements around a command are about, which a pronoun of the command stands for: "I
-    can't reach *the biscuits*, get them for me". Empty if there is none, or more than one.
+    can't reach *the biscuits*, get them for me". None if there is none, or more than one.
 
     Args:
         sentence: the sentence
         told: its clauses that ask for nothing
     """
     things = [
-        word.index
+        word
         for clause in told
         for word in sentence.tree.children(clause.verb)
         if word.deprel.split(":")[0] in ("nsubj", "obj") and word.upos == "NOUN" and not is_person(word)
     ]
-    return sentence.text(sorted(sentence.subtree(things[0]))) if len(things) == 1 else ""
+    if len(things) != 1:
+        return None
+    return Thing(sentence.text(sorted(sentence.subtree(things[0].index))), things[0].lemma.lower())
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
