@@ -16,6 +16,7 @@ from semantic_framer.attachment import (
     is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
+    listed_particle,
     nouns_behind_particle,
     persons_behind,
     places_before,
@@ -30,6 +31,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
 from semantic_framer.unit_trace import write_unit
+from semantic_framer.word_patterns import argument_of
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
@@ -361,6 +363,10 @@ class _Filling:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
                 attached = (self._listed[element.name] - {head}) | behind | before
                 found.append(self._sentence.phrases.argument(element.name, head, relation.argument, left_out, attached))
+            elif (
+                particle := listed_particle(self._sentence.tree, self._unit, element.name, self._match.positions)
+            ) > 0:
+                found.append(argument_of(self._sentence, element.name, [particle]))
             elif element.default and not self._is_said_otherwise(element):
                 found.append(default_argument(element.name, element.default))
             elif element.default:

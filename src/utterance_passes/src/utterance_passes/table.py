@@ -9,6 +9,7 @@ from utterance_passes import (
     comparisons,
     corrections,
     formulas,
+    fronted_times,
     light_verbs,
     objections,
     quotations,
@@ -130,6 +131,13 @@ WORD_PASSES: Tuple[WordPass, ...] = (
         Stage.PARSER,
         typos.without_typos,
     ),
+    WordPass(
+        "fronted_times",
+        "Set a time at the front apart from the verb behind it.",
+        Example("at six turn left", ("at six, turn left",), _TURN),
+        Stage.PARSER,
+        fronted_times.with_times_set_off,
+    ),
 )
 
 #: Find words that the parser leaves out, and adds to the tree of the command later.
@@ -205,7 +213,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     ),
     TagPass(
         "verbs_of_conditions",
-        "Tag a verb between the subject and the object of a condition that the tagger took for a noun.",
+        "Tag a verb behind the subject of a condition that the tagger took for a noun.",
         Example("when|ADV Bob|PROPN leaves|NOUN the|DET office|NOUN", ("3 VERB VBZ",), Verbs()),
         Stage.PARSER,
         tagging.verbs_of_conditions,
