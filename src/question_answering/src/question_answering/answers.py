@@ -95,6 +95,10 @@ def _last_words(_: Arguments, known: RobotKnowledge) -> str:
     return f'You said "{known.last_words}".' if known.last_words else "You have not said anything before."
 
 
+def _last_reply(_: Arguments, known: RobotKnowledge) -> str:
+    return f'I said: "{known.last_reply}"' if known.last_reply else "I have not said anything before."
+
+
 def _place(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _found(theme, known)
@@ -337,6 +341,7 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_own_place": _own_place,
     "question_of_activity": _activity,
     "question_of_last_words": _last_words,
+    "question_of_last_reply": _last_reply,
     "question_of_place": _place,
     "question_of_number": _number,
     "question_of_what_is_there": _what_is_there,

@@ -198,6 +198,7 @@ KNOWN = RobotKnowledge(
     ability_count=2,
     doing="Go to the kitchen.",
     last_words="Turn left.",
+    last_reply="Which mug?",
     now=datetime(2026, 11, 22, 14, 5),
 )
 
@@ -210,6 +211,9 @@ KNOWN = RobotKnowledge(
         ("Who are you?", "I am Robo, a robot that understands English. Ask me what I can do."),
         ("What are you doing?", 'I am carrying out "Go to the kitchen.".'),
         ("What did I say?", 'You said "Turn left.".'),
+        ("What did you say?", 'I said: "Which mug?"'),
+        ("Sorry, what?", 'I said: "Which mug?"'),
+        ("I didn't understand that.", 'I said: "Which mug?"'),
         ("What time is it?", "It is 14:05."),
         ("What's the time?", "It is 14:05."),
         ("What day is it?", "It is Sunday, 22 November 2026."),
