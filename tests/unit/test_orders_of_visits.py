@@ -70,3 +70,22 @@ def test_goals_with_prepositions(pipeline, text):
 )
 def test_words_of_order_are_no_part_of_an_item(pipeline, text):
     assert read(pipeline, text) == [{"goal": "the kitchen, the office and the hall"}]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Greet Anna, then Bob.", [{"addressee": "Anna, Bob"}]),
+        ("Bring Anna a cup, then Bob.", [{"theme": "a cup", "beneficiary": "Anna, Bob"}]),
+    ],
+)
+def test_person_behind_a_word_of_order_is_not_spoken_to(pipeline, text, said):
+    assert read(pipeline, text) == said
+
+
+@pytest.mark.parametrize("text", ["Tell me the colour of the mug.", "Tell Anna the color of the mug."])
+def test_what_is_told_may_be_asked_for_without_a_verb(pipeline, text):
+    (message,) = [
+        one for reading in pipeline.understand(text).readings for one in reading.arguments if one.name == "message"
+    ]
+    assert [frame.frame_name for frame in message.frames] == ["question_of_colour"]

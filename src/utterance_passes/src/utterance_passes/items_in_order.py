@@ -11,7 +11,7 @@ _ORDER = word_class("adverbs_of_order")
 _BORDERS = frozenset([",", "and", "then"])
 _NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of an item that the parser attaches to the verb or to another item.
-_OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep"])
+_OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
 
 
 def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -24,6 +24,8 @@ def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for adverb in tree.words:
         item = _item(tree, adverb)
         first = _item_before(tree, item, adverb) if item is not None else None
+        if item is not None and first is None and item.deprel == "vocative":
+            edit.relabel(item.index, "dep")  # Nobody is called "then Bob".
         if item is None or first is None:
             continue
         edit.rehang(adverb.index, item.index, ASIDE)
@@ -52,5 +54,6 @@ def _item_before(tree: DependencyTree, item: Word, adverb: Word) -> Optional[Wor
     if head.upos in _NOUNS:
         return head
     said = [child for child in tree.children(head.index) if head.index < child.index < adverb.index]
-    items = [child for child in said if child.deprel in ("obj", "obl") and child.upos in _NOUNS]
+    # "Bring Anna a cup, then Bob": a person is no second thing.
+    items = [child for child in said if child.deprel in ("obj", "iobj", "obl") and child.upos == item.upos]
     return items[0] if head.upos == "VERB" and len(items) == 1 else None
