@@ -17,7 +17,7 @@ from semantic_framer.attachment import (
     is_place_in_a_row,
     is_postmodifier_of,
     listed_particle,
-    nouns_behind_particle,
+    objects_elsewhere,
     persons_behind,
     places_before,
     words_before,
@@ -47,8 +47,6 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
-#: What a unit asks for must be the usual sense of the words, or they must have no type.
-_MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 #: Relations of a goal: a place that the world makes one may have any preposition.
 _TOWARDS = frozenset(["prep_to", "prep_into", "prep_onto"])
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
@@ -280,7 +278,7 @@ class _Filling:
             for governor in governors:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
-                    found += nouns_behind_particle(self._sentence.tree, self._match.positions) if step == "dobj" else []
+                    found += objects_elsewhere(self._sentence.tree, self._match.positions) if step == "dobj" else []
                     found += self._reattached(path.preposition, is_core)
                     goals = self._sentence.goals if step in _TOWARDS else ()
                     if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
@@ -304,7 +302,7 @@ class _Filling:
                 if inner.deprel == "nmod" and inner.index > noun:
                     found += below
                 if inner.deprel == "acl":
-                    found += persons_behind(self._sentence.tree, inner.index, preposition)
+                    found += persons_behind(self._sentence.tree, inner.index, preposition, is_needed=is_core)
                     found += behind_description(self._sentence.tree, inner.index, below)
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition

@@ -32,6 +32,28 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         correct_parse.with_modals_as_nouns,
     ),
     TreePass(
+        "commands_behind_statements",
+        "Make a clause of its own of a command behind a statement.",
+        Example(
+            "Bob|PROPN|2|nsubj needs|VERB|0|root|need|VBZ air|NOUN|2|obj ,|PUNCT|5|punct open|VERB|2|conj|open|VB "
+            "doors|NOUN|5|obj",
+            ("open: conj(needs) -> parataxis(needs)",),
+            Verbs(frozenset(["open"])),
+        ),
+        Stage.FRAMER,
+        relations.with_commands_behind_statements,
+    ),
+    TreePass(
+        "prepositions_at_names",
+        "Attach a preposition to the noun right behind it.",
+        Example(
+            "look|VERB|0|root for|ADP|5|case Adam|PROPN|1|obl at|ADP|5|case doors|NOUN|1|obl",
+            ("for: case(doors) -> case(Adam)",),
+        ),
+        Stage.FRAMER,
+        relations.with_prepositions_at_names,
+    ),
+    TreePass(
         "asked_clauses",
         "Make a clause behind the person who is asked a question, not a condition.",
         Example(
