@@ -23,7 +23,7 @@ _ROBOTS = word_class("robots")
 _STATES = frozenset(["State", "Operational_state"])
 _SOUND_SOURCE = "Sound_source"
 #: Relations of a place to what is put into it.
-_INSIDE = frozenset(["in", "into", "inside"])
+_INSIDE = word_class("prepositions_of_containers")
 
 
 def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[Reading, TypedArgument]:
