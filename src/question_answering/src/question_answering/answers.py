@@ -2,21 +2,36 @@
 
 import datetime
 from dataclasses import replace
-from typing import Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Sequence
 
 from question_answering.answers_about_deeds import ABOUT_DEEDS
+from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
+from question_answering.wording import (
+    MOST_NAMED,
+    Arguments,
+    at_location,
+    found_of,
+    full_name,
+    indefinite,
+    is_definite,
+    is_known_place,
+    is_only_of_the_kind,
+    name_for,
+    plural,
+    reported,
+    verb_of,
+    with_attributes,
+)
 from referring_expressions import fitting, unknown_of
 from referring_expressions.describing import (
     article,
     as_said,
     bare_noun,
     counted_noun,
-    is_plural_noun,
     name_of,
     noun_of,
     place_of,
-    plural_of,
 )
 from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative
 from roboframenet_ros.spoken_text import join_with_and, with_capital
@@ -24,17 +39,11 @@ from semantic_types import spoken
 from typed_arguments import Modifier, TypedArgument
 from word_classes import word_class
 from world_model import Sort, World, WorldObject
-from world_model.knowledge import OPPOSITES
 from world_model.world_object import ROBOT_ID
 
-#: Objects that an answer names; more are counted.
-MOST_NAMED = 8
 #: The frame of whoever says who they are.
 BEING_NAMED = "being_named"
-Arguments = Mapping[str, TypedArgument]
 _COLOURS = word_class("colours")
-#: What other words for a state mean.
-_STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(word_class("words_for_closed"), "closed")}
 
 
 def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnowledge) -> str:
@@ -101,23 +110,23 @@ def _last_reply(_: Arguments, known: RobotKnowledge) -> str:
 
 def _place(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
-    found = _found(theme, known)
+    found = found_of(theme, known)
     if not found:
         return unknown_of(theme)
     if found[0].id == ROBOT_ID:
         return _own_place(arguments, known)
     placed = [(one, place_of(one, known.world)) for one in found]
     if not any(place for _, place in placed):
-        return f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
+        return f"I do not know where {as_said(theme)} {verb_of(found, theme.text)}."
     if len(found) == 1:
-        called = _called(theme, found[0])
-        where = f"{_is(found, called)} {placed[0][1]}{_reported(found[0])}"
-        if _is_only_of_the_kind(theme, found[0]):
+        called = name_for(theme, found[0])
+        where = f"{verb_of(found, called)} {placed[0][1]}{reported(found[0])}"
+        if is_only_of_the_kind(theme, found[0]):
             return f"I know of no {bare_noun(theme)} but {called}, which {where}."
         return f"{with_capital(called)} {where}."
     parts = [f"{'one' if not one.name else name_of(one)} is {place or 'somewhere unknown'}" for one, place in placed]
-    known_of = f"I know of {len(found)} {_plural(theme, found)}: "
-    named = join_with_and(_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts))
+    known_of = f"I know of {len(found)} {plural(theme, found)}: "
+    named = join_with_and(with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts))
     return f"{known_of}{named}."
 
 
@@ -128,13 +137,13 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
         inside = replace(location, relation="in", words=f"in {location.words}")
         return _number({**arguments, "location": inside}, known)
     theme = arguments["theme"]
-    found = _at(arguments, _found(theme, known, is_wide=True), known)
+    found = at_location(arguments, found_of(theme, known, is_wide=True), known)
     where = f" {location.words[:1].lower()}{location.words[1:]}" if location is not None else ""
     if "state" in arguments:
         state = arguments["state"].text.lower()
         found = tuple(one for one in found if state in one.states)
         where += f" that are {state}"
-    if "location" in arguments and not _place_is_known(arguments["location"], known):
+    if "location" in arguments and not is_known_place(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:
         return f"I know of no {bare_noun(theme)}{where}."
@@ -144,70 +153,51 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
 
 def _what_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     location, theme = arguments["location"], arguments.get("theme")
-    if not _place_is_known(location, known):
+    if not is_known_place(location, known):
         return f'I do not know of any place "{location.text}".'
     everything = tuple(
         one for one in known.world.objects if one.id != ROBOT_ID and one.sort not in (Sort.PLACE, Sort.DOOR)
     )
-    objects = _found(theme, known, is_wide=True) if theme is not None else everything
+    objects = found_of(theme, known, is_wide=True) if theme is not None else everything
     found = at_place(objects, location, known.situation)
     if not found:
         what = f"no {bare_noun(theme)}" if theme is not None else "nothing"
         return f"I know of {what} {location.words}."
-    return f"{with_capital(location.words)} there {_is(found, noun_of(found[0]))} {join_with_and(_indefinite(found))}."
+    return (
+        f"{with_capital(location.words)} there {verb_of(found, noun_of(found[0]))} {join_with_and(indefinite(found))}."
+    )
 
 
 def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     location = arguments["location"]
-    if not _place_is_known(location, known):
+    if not is_known_place(location, known):
         return f'I do not know of any place "{location.text}".'
     persons = tuple(one for one in known.world.objects if one.sort is Sort.PERSON)
     found = at_place(persons, location, known.situation)
     if not found:
         return f"I know of nobody {location.words}."
-    return f"{with_capital(join_with_and(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
-
-
-def _state(arguments: Arguments, known: RobotKnowledge) -> str:
-    theme, said = arguments["theme"], arguments["state"].text.lower()
-    state = _STATES.get(said, said)
-    found = _found(theme, known)
-    if not found:
-        return unknown_of(theme)
-    opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if state in words)) - {state}
-    verdicts = {True if state in one.properties else False if opposites & set(one.states) else None for one in found}
-    name = with_capital(_called(theme, found[0])) if len(found) == 1 else with_capital(as_said(theme))
-    verb = _is(found, name)
-    is_choice = "alternative" in arguments
-    if verdicts == {True}:
-        return f"{name} {verb} {state}." if is_choice else f"Yes, {_lower(name)} {verb} {state}."
-    if verdicts == {False}:
-        actual = next(iter(sorted(opposites & set(found[0].states))))
-        return f"{name} {verb} {actual}." if is_choice else f"No, {_lower(name)} {verb} {actual}."
-    if None in verdicts:
-        return f"I do not know whether {_lower(name)} {verb} {state}."
-    return f"Some of them are {state}, and some are not."
+    return f"{with_capital(join_with_and(indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
 
 
 def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
-    candidates = _found(theme, known, is_wide=True)
+    candidates = found_of(theme, known, is_wide=True)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
-    if "location" in arguments and not _place_is_known(arguments["location"], known):
+    if "location" in arguments and not is_known_place(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
-    found = _at(arguments, candidates, known)
+    found = at_location(arguments, candidates, known)
     if found:
-        names = join_with_and(_indefinite(found)) if not _is_definite(theme) else _called(theme, found[0])
-        verb = _is(found, names)
+        names = join_with_and(indefinite(found)) if not is_definite(theme) else name_for(theme, found[0])
+        verb = verb_of(found, names)
         return f"Yes, {names} {verb}{where}." if where else f"Yes, I know of {names}."
     if not candidates:
         return unknown_of(theme)
     if len(candidates) == 1 and place_of(candidates[0], known.world):
-        called = _called(theme, candidates[0])
-        return f"No, {called} {_is(candidates, called)} {place_of(candidates[0], known.world)}."
+        called = name_for(theme, candidates[0])
+        return f"No, {called} {verb_of(candidates, called)} {place_of(candidates[0], known.world)}."
     return (
         f"No, I know of no {bare_noun(theme)}{where}."
-        if not _is_definite(theme)
+        if not is_definite(theme)
         else f"I do not know that {as_said(theme)} is{where}."
     )
 
@@ -228,7 +218,7 @@ def _date(arguments: Arguments, known: RobotKnowledge) -> str:
 
 def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
-    found = _found(theme, known)
+    found = found_of(theme, known)
     if not found:
         return f"No, I do not know {as_said(theme)}."
     one = found[0]
@@ -247,7 +237,7 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     if one.attributes:
         facts.append(f"is {join_with_and(one.attributes)}")
     return (
-        f"Yes. {with_capital(_called(theme, one))} {join_with_and(facts)}."
+        f"Yes. {with_capital(name_for(theme, one))} {join_with_and(facts)}."
         if facts
         else f"Yes, I know {as_said(theme)}."
     )
@@ -268,47 +258,47 @@ def _which(arguments: Arguments, known: RobotKnowledge) -> str:
     if not candidates:
         return unknown_of(others)
     if not superlatives:
-        return f"I know of {join_with_and(_indefinite(candidates))}."
+        return f"I know of {join_with_and(indefinite(candidates))}."
     found = fitting(theme, known.situation, is_wide=True)
     if not found:
         return f"I do not know which {bare_noun(others)} is the {superlatives[0].word.lower()}."
     place = place_of(found[0], known.world)
-    return f"It is {_named(found[0])}{f' {place}' if place else ''}."
+    return f"It is {full_name(found[0])}{f' {place}' if place else ''}."
 
 
 def _owner(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
-    found = _found(theme, known)
+    found = found_of(theme, known)
     if not found:
         return unknown_of(theme)
     owners = [(one, known.world.owners(one)) for one in found]
     if not any(persons for _, persons in owners):
         return f"I do not know whom {as_said(theme)} {'belongs' if len(found) == 1 else 'belong'} to."
     if len(found) == 1:
-        return f"{with_capital(_called(theme, found[0]))} belongs to {join_with_and(map(name_of, owners[0][1]))}."
+        return f"{with_capital(name_for(theme, found[0]))} belongs to {join_with_and(map(name_of, owners[0][1]))}."
     parts = [
-        f"{_named(one)} to {join_with_and(map(name_of, persons)) or 'somebody whom I do not know'}"
+        f"{full_name(one)} to {join_with_and(map(name_of, persons)) or 'somebody whom I do not know'}"
         for one, persons in owners[:MOST_NAMED]
     ]
-    return f"I know of {len(found)} {_plural(theme, found)}: {join_with_and(parts)}."
+    return f"I know of {len(found)} {plural(theme, found)}: {join_with_and(parts)}."
 
 
 def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
-    found = _found(theme, known)
+    found = found_of(theme, known)
     if not found:
         return unknown_of(theme)
     colours = [tuple(word for word in one.attributes if word.lower() in _COLOURS) for one in found]
     if not all(colours):
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
-        called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
-        return f"{with_capital(called)} {_is(found, called)} {join_with_and(colours[0])}."
+        called = name_for(theme, found[0]) if len(found) == 1 else as_said(theme)
+        return f"{with_capital(called)} {verb_of(found, called)} {join_with_and(colours[0])}."
     parts = [
         f"the one {place_of(one, known.world) or 'somewhere unknown'} is {join_with_and(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)
     ]
-    return f"I know of {len(found)} {_plural(theme, found)}: {join_with_and(parts)}."
+    return f"I know of {len(found)} {plural(theme, found)}: {join_with_and(parts)}."
 
 
 def _speaker(_: Arguments, known: RobotKnowledge) -> str:
@@ -332,11 +322,6 @@ def _being_named(arguments: Arguments, known: RobotKnowledge) -> str:
     return f"Hello, {name_of(person_named(arguments['name'].text, known.world))}."
 
 
-def _named(one: WorldObject) -> str:
-    """Return an object with its article and its attributes: "the red mug", "Anna"."""
-    return name_of(one) if one.name else f"the {' '.join([*one.attributes, noun_of(one)])}"
-
-
 #: The answer to each question, by the name of its frame.
 ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_abilities": _abilities,
@@ -349,7 +334,6 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_number": _number,
     "question_of_what_is_there": _what_is_there,
     "question_of_who_is_there": _who_is_there,
-    "question_of_state": _state,
     "question_of_being_there": _being_there,
     "question_of_time": _time,
     "question_of_date": _date,
@@ -360,83 +344,5 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_speaker": _speaker,
     BEING_NAMED: _being_named,
     **ABOUT_DEEDS,
+    **ABOUT_STATES,
 }
-
-
-def _found(theme: Optional[TypedArgument], known: RobotKnowledge, *, is_wide: bool = False) -> Tuple[WorldObject, ...]:
-    """Return what a phrase refers to: what the framer found, if it searched this world."""
-    if theme is None:
-        return ()
-    situation = known.situation
-    if theme.referents and theme.world_version == known.world.version and not is_wide:
-        return situation.objects(theme.referents)
-    return fitting(theme, situation, is_wide=is_wide)
-
-
-def _at(arguments: Arguments, objects: Tuple[WorldObject, ...], known: RobotKnowledge) -> Tuple[WorldObject, ...]:
-    location = arguments.get("location")
-    return objects if location is None else at_place(objects, location, known.situation)
-
-
-def _place_is_known(location: TypedArgument, known: RobotKnowledge) -> bool:
-    return bool(location.direction or fitting(location, known.situation))
-
-
-def _is_definite(theme: TypedArgument) -> bool:
-    return theme.quantifier == "the" or theme.possessor is not None or theme.semantic_type == "Human"
-
-
-def _called(theme: TypedArgument, one: WorldObject) -> str:
-    """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
-    is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
-    return _definite(theme) if is_its_noun and not one.name else name_of(one)
-
-
-def _is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
-    """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
-    not be the box that is meant."""
-    said = {theme.lemma.lower(), theme.head.lower()}
-    named = {word for name in one.names for word in (spoken(name), spoken(name).split()[-1])}
-    return bool(one.names) and one.sort is not Sort.PERSON and noun_of(one) in said and not named & said
-
-
-def _definite(theme: TypedArgument) -> str:
-    if theme.quantifier in ("a", "any", "some", ""):
-        return f"the {bare_noun(theme)}" if theme.possessor is None else as_said(theme)
-    return as_said(theme)
-
-
-def _plural(theme: TypedArgument, found: Sequence[WorldObject]) -> str:
-    return bare_noun(theme) if theme.is_plural else plural_of(noun_of(found[0]))
-
-
-def _with_attributes(one: WorldObject, part: str) -> str:
-    return f"the {' '.join(one.attributes)} {part}" if one.attributes and not one.name else part
-
-
-def _indefinite(objects: Sequence[WorldObject]) -> List[str]:
-    """Return objects as a person lists them: "Anna", "two red mugs", "a box"."""
-    groups: Dict[str, int] = {}
-    for one in objects:
-        word = one.name or " ".join([*one.attributes, noun_of(one)])
-        groups[word] = groups.get(word, 0) + 1
-    names = {spoken(name) for one in objects for name in one.names}
-    found = []
-    for word, count in groups.items():
-        if spoken(word) in names:
-            found.append(word if word[:1].isupper() else f"the {word}")
-        else:
-            found.append(article(word) if count == 1 else f"{count} {plural_of(word)}")
-    return found if len(found) <= MOST_NAMED else [*found[:MOST_NAMED], f"{len(found) - MOST_NAMED} more"]
-
-
-def _is(found: Sequence[WorldObject], noun: str) -> str:
-    return "is" if len(found) == 1 and not is_plural_noun(noun) else "are"
-
-
-def _reported(one: WorldObject) -> str:
-    return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
-
-
-def _lower(text: str) -> str:
-    return text[:1].lower() + text[1:] if text.startswith(("The ", "Your ", "A ", "An ")) else text

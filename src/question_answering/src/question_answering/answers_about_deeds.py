@@ -1,12 +1,12 @@
 """Answers to questions about what the robot did, does and will do, and why."""
 
-from typing import Callable, Dict, Mapping, Optional, Sequence
+from typing import Callable, Dict, Optional, Sequence
 
 from question_answering.robot_knowledge import Deed, Outcome, RobotKnowledge
+from question_answering.wording import Arguments
 from typed_arguments import TypedArgument
 from word_classes import word_class
 
-Arguments = Mapping[str, TypedArgument]
 #: How the reply to a command begins that was carried out.
 _DONE = "Done."
 #: Deeds that an answer names.

@@ -1,0 +1,117 @@
+"""How answers speak of the objects that a question is about, and which objects these are."""
+
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+
+from question_answering.robot_knowledge import RobotKnowledge
+from referring_expressions import fitting
+from referring_expressions.describing import (
+    article,
+    as_said,
+    bare_noun,
+    is_plural_noun,
+    name_of,
+    noun_of,
+    plural_of,
+)
+from referring_expressions.fitting import at_place
+from semantic_types import spoken
+from typed_arguments import TypedArgument
+from world_model import Sort, WorldObject
+
+#: The arguments of a question, by the names of their elements.
+Arguments = Mapping[str, TypedArgument]
+Objects = Tuple[WorldObject, ...]
+#: Objects that an answer names; more are counted.
+MOST_NAMED = 8
+
+
+def full_name(one: WorldObject) -> str:
+    """Return an object with its article and its attributes: "the red mug", "Anna"."""
+    return name_of(one) if one.name else f"the {' '.join([*one.attributes, noun_of(one)])}"
+
+
+def found_of(theme: Optional[TypedArgument], known: RobotKnowledge, *, is_wide: bool = False) -> Objects:
+    """Return what a phrase refers to: what the framer found, if it searched this world."""
+    if theme is None:
+        return ()
+    situation = known.situation
+    if theme.referents and theme.world_version == known.world.version and not is_wide:
+        return situation.objects(theme.referents)
+    return fitting(theme, situation, is_wide=is_wide)
+
+
+def at_location(arguments: Arguments, objects: Objects, known: RobotKnowledge) -> Objects:
+    """Return those of some objects that are at the place that a question names; all of them if it names none."""
+    location = arguments.get("location")
+    return objects if location is None else at_place(objects, location, known.situation)
+
+
+def is_known_place(location: TypedArgument, known: RobotKnowledge) -> bool:
+    """Whether the robot knows a place that a phrase may mean."""
+    return bool(location.direction or fitting(location, known.situation))
+
+
+def is_definite(theme: TypedArgument) -> bool:
+    """Whether a phrase is about one thing or person that both know: "the mug", "my mug", "Anna"."""
+    return theme.quantifier == "the" or theme.possessor is not None or theme.semantic_type == "Human"
+
+
+def name_for(theme: TypedArgument, one: WorldObject) -> str:
+    """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
+    is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
+    return _definite(theme) if is_its_noun and not one.name else name_of(one)
+
+
+def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
+    """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
+    not be the box that is meant."""
+    said = {theme.lemma.lower(), theme.head.lower()}
+    named = {word for name in one.names for word in (spoken(name), spoken(name).split()[-1])}
+    return bool(one.names) and one.sort is not Sort.PERSON and noun_of(one) in said and not named & said
+
+
+def _definite(theme: TypedArgument) -> str:
+    if theme.quantifier in ("a", "any", "some", ""):
+        return f"the {bare_noun(theme)}" if theme.possessor is None else as_said(theme)
+    return as_said(theme)
+
+
+def plural(theme: TypedArgument, found: Sequence[WorldObject]) -> str:
+    """Return the noun for several objects: as it was said, if that is a plural."""
+    return bare_noun(theme) if theme.is_plural else plural_of(noun_of(found[0]))
+
+
+def with_attributes(one: WorldObject, part: str) -> str:
+    """Return what is said of an object, with its attributes before it if it has no name: "the red one is here"."""
+    return f"the {' '.join(one.attributes)} {part}" if one.attributes and not one.name else part
+
+
+def indefinite(objects: Sequence[WorldObject]) -> List[str]:
+    """Return objects as a person lists them: "Anna", "two red mugs", "a box"."""
+    groups: Dict[str, int] = {}
+    for one in objects:
+        word = one.name or " ".join([*one.attributes, noun_of(one)])
+        groups[word] = groups.get(word, 0) + 1
+    names = {spoken(name) for one in objects for name in one.names}
+    found = []
+    for word, count in groups.items():
+        if spoken(word) in names:
+            found.append(word if word[:1].isupper() else f"the {word}")
+        else:
+            found.append(article(word) if count == 1 else f"{count} {plural_of(word)}")
+    return found if len(found) <= MOST_NAMED else [*found[:MOST_NAMED], f"{len(found) - MOST_NAMED} more"]
+
+
+def verb_of(found: Sequence[WorldObject], noun: str) -> str:
+    """Return "is" or "are"."""
+    return "is" if len(found) == 1 and not is_plural_noun(noun) else "are"
+
+
+def reported(one: WorldObject) -> str:
+    """Return who told where a person is: ", as Ben said"; empty if the robot has seen it."""
+    return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
+
+
+def lower(text: str) -> str:
+    """Return a phrase as it stands inside a sentence: "the mug" for "The mug"."""
+    return text[:1].lower() + text[1:] if text.startswith(("The ", "Your ", "A ", "An ")) else text
