@@ -68,6 +68,8 @@ def said(outcome: Any) -> str:
             "Greet the group and lead them to the cafe.",
             "greeting(addressee=the group) + guiding(cotheme=them, goal=the cafe)",
         ),
+        ("Give the children some paper and pencils.", "giving(theme=some paper and pencils, recipient=the children)"),
+        ("Bring the first aid kit to the reception.", "bringing(theme=the first aid kit, goal=the reception)"),
         # Words that the tagger takes for verbs.
         ("Give grandpa his glasses.", "giving(theme=his glasses, recipient=grandpa)"),
         ("Bring the watering can to the greenhouse.", "bringing(theme=the watering can, goal=the greenhouse)"),
@@ -130,6 +132,8 @@ def test_what_is_meant(understand: Any, text: str, meant: str) -> None:
         # What is forbidden stays forbidden.
         "You can't go to the kitchen, go to the hall.",
         "Don't go to the kitchen, go to the hall.",
+        # Horses are not followed, they are in the painting.
+        "Go to the painting with the horses.",
         # What is left is no place that the robot is in.
         "Leave the heavy ones.",
         # Nobody brings these.
