@@ -2,6 +2,7 @@
 
 from typing import Dict, Iterator, Sequence, Tuple
 
+from phrase_meanings.arguments import ONES
 from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
@@ -93,7 +94,7 @@ class PhraseTypes:
         form = word.form.lower()
         if form in _PERSONS:
             return _PERSON
-        if form in _PERSONS_OR_THINGS:
+        if form in _PERSONS_OR_THINGS or (form in ONES and word.upos != "NUM"):
             return _PERSON_OR_THING
         if self._has_title(word):
             return _PERSON

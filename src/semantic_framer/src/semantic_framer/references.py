@@ -1,44 +1,72 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Iterable, Mapping, Union
+from typing import Iterable, Mapping, Optional, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
-from semantic_frames.frame import SemanticFrame
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_types import Fit
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
+_PERSONS = frozenset(["Sentient"])
+_PREPOSITIONS = word_class("place_prepositions") | frozenset(["of", "with", "from"])
+_THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
 _SOUND_SOURCE = "Sound_source"
 
 
-def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]:
+def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[Reading, TypedArgument]:
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
+    frame = known.frames[reading.unit.frame_name]
     for value in reading.arguments:
         word = value.text.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
+        element = frame.element(value.name)
+        is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
             if not context.thing and not context.place:
                 return value
-            value = resolved(value, context.thing or context.place)
+            value = resolved(value, _mentioned(element, context, known))
         elif word in PLACE_PRONOUNS and not is_fixed and context.place:
             value = resolved(value, context.place)
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def _mentioned(element: Optional[FrameElement], context: Context, known: FramedLexicon) -> str:
+    """Return the thing or the place that a pronoun stands for: the one that has the type of the element.
+
+    "Put the sample into the centrifuge and start *it*" starts a device.
+    """
+    if not (context.thing and context.place) or element is None:
+        return context.thing or context.place
+    accepted = ("Device",) if element.framenet == "Device" else element.semantic_types
+    fits = [known.types.of_noun([head_noun(text)]).fit(accepted) for text in (context.thing, context.place)]
+    is_place = fits == [Fit.WRONG, Fit.LIKELY]
+    return context.place if accepted and is_place else context.thing
+
+
+def head_noun(text: str) -> str:
+    """Return the head noun of a noun phrase, in lower case: "biscuits" of "the biscuits on the shelf"."""
+    words = text.lower().split()
+    end = next((place for place, word in enumerate(words) if place and word in _PREPOSITIONS), len(words))
+    return words[end - 1]
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
@@ -73,7 +101,7 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> str:
     things = [
         word.index
         for clause in told
-        for word in sentence.tree.children(clause.verb)
+        for word in map(sentence.word, sorted(clause.positions))
         if word.deprel.split(":")[0] in ("nsubj", "obj") and word.upos == "NOUN" and not is_person(word)
     ]
     return sentence.text(sorted(sentence.subtree(things[0]))) if len(things) == 1 else ""
