@@ -56,8 +56,8 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
-    """Return a person and the thing right behind, of which the parser makes a list: "give *the children* some *paper* and
-    pencils"."""
+    """Return a person and the thing right behind, of which the parser makes a list: "give *the children* some *paper*
+    and pencils"."""
     objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
     if len(objects) != 1 or not is_person(objects[0]):
         return ()
