@@ -1,7 +1,7 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Iterable, Mapping, Optional, Union
+from typing import Iterable, List, Mapping, Optional, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
@@ -11,12 +11,13 @@ from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_types import Fit
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
+_DEVICE = "Device"
 _PERSONS = frozenset(["Sentient"])
 _PREPOSITIONS = word_class("place_prepositions") | frozenset(["of", "with", "from"])
 _THEM = word_class("pronouns_of_persons_or_things")
@@ -50,23 +51,30 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
 
 
 def _mentioned(element: Optional[FrameElement], context: Context, known: FramedLexicon) -> str:
-    """Return the thing or the place that a pronoun stands for: the one that has the type of the element.
+    """Return the thing or the place that a pronoun stands for: of both, what is started is the device.
 
-    "Put the sample into the centrifuge and start *it*" starts a device.
+    "Put the sample into the centrifuge and start *it*" starts no sample.
     """
-    if not (context.thing and context.place) or element is None:
+    if not (context.thing and context.place) or element is None or element.framenet != _DEVICE:
         return context.thing or context.place
-    accepted = ("Device",) if element.framenet == "Device" else element.semantic_types
-    fits = [known.types.of_noun([head_noun(text)]).fit(accepted) for text in (context.thing, context.place)]
-    is_place = fits == [Fit.WRONG, Fit.LIKELY]
-    return context.place if accepted and is_place else context.thing
+    # "Part number 7" is a part: any of its words may say what it is.
+    types = [known.types.of_noun([word]) for word in noun_phrase(context.thing)]
+    is_no_device = all(one.fit([_DEVICE]) in (Fit.WRONG, Fit.UNKNOWN) for one in types)
+    is_place = known.types.of_noun(noun_phrase(context.place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
+    return context.place if is_no_device and is_place else context.thing
 
 
-def head_noun(text: str) -> str:
-    """Return the head noun of a noun phrase, in lower case: "biscuits" of "the biscuits on the shelf"."""
+def is_inferred(argument: TypedArgument) -> bool:
+    """Whether an argument has its text from what was said before."""
+    return argument.source is Source.INFERRED
+
+
+def noun_phrase(text: str) -> List[str]:
+    """Return the words of a noun phrase, in lower case, without the phrases behind it: "the", "biscuits" of "the
+    biscuits on the shelf"."""
     words = text.lower().split()
     end = next((place for place, word in enumerate(words) if place and word in _PREPOSITIONS), len(words))
-    return words[end - 1]
+    return words[:end]
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:

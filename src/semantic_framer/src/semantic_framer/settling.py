@@ -25,7 +25,7 @@ from semantic_framer.outcome import (
     left_over_refusal,
 )
 from semantic_framer.reading import Reading
-from semantic_framer.references import head_noun, remember, resolve, resolve_in_parallel
+from semantic_framer.references import is_inferred, noun_phrase, remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
 from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of, unknown_arguments
@@ -166,7 +166,7 @@ def _settled(
         and now.known.frames[readings[0].unit.frame_name].wants_yes(
             {
                 # "Go to the oven and turn it on": what the pronoun stands for counts.
-                one.name: (one.text, one.lemma, one.semantic_type, *([head_noun(one.text)] if one.text else []))
+                one.name: (one.text, one.lemma, one.semantic_type, *(noun_phrase(one.text) if is_inferred(one) else ()))
                 for one in readings[0].arguments
             }
         )

@@ -65,6 +65,14 @@ def said(outcome: Any) -> str:
             "placing(theme=the sample, goal=the centrifuge) + switching_device(device=the centrifuge)",
         ),
         (
+            "Pick part number 7 from the tray and place it in the fixture.",
+            "taking(theme=part number 7, source=the tray) + placing(theme=part number 7, goal=the fixture)",
+        ),
+        (
+            "Take radio 7 from the charger and switch it on.",
+            "taking(theme=radio 7, source=the charger) + switching_device(device=radio 7, operational_state=on)",
+        ),
+        (
             "Greet the group and lead them to the cafe.",
             "greeting(addressee=the group) + guiding(cotheme=them, goal=the cafe)",
         ),
