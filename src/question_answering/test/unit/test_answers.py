@@ -290,3 +290,17 @@ def test_whoever_says_who_they_are_is_met(text: str, said: str, ident: str, pipe
 )
 def test_not_everybody_who_is_spoken_of_speaks(text: str, pipeline: Pipeline) -> None:
     assert BEING_NAMED not in [reading.unit.frame_name for reading in pipeline.understand(text).readings]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Where is the box?", "I know of no box but the toolbox, which is in the hall."),
+        ("Where is the toolbox?", "The toolbox is in the hall."),
+    ],
+)
+def test_thing_of_a_kind_may_not_be_the_one_that_is_meant(text: str, expected: str, pipeline: Pipeline) -> None:
+    world = "places:\n  hall:\nthings:\n  toolbox_1: {name: toolbox, category: box, in: hall}\n"
+    known = RobotKnowledge(snapshot("1", {one.id: one for one in load_world_file(world, "home.yaml")}))
+    (reading,) = pipeline.in_world(known.world).understand(text).readings
+    assert answer(reading.unit.frame_name, reading.arguments, known) == expected

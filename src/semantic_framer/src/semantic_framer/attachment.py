@@ -5,6 +5,7 @@ for it.
 from typing import AbstractSet, Collection, Container, FrozenSet, List, Sequence, Tuple
 
 from semantic_frames.extra_thematic import is_of_every_action
+from semantic_frames.lexical_unit import LexicalUnit
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -208,3 +209,17 @@ def is_part_of_used_name(tree: DependencyTree, index: int, used: Container[int])
     word = tree.word(index)
     # A number is not part of a name: "five foot thirteen" must not become five feet.
     return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
+
+
+def listed_particle(tree: DependencyTree, unit: LexicalUnit, name: str, verb: Sequence[int]) -> int:
+    """Return the particle of a verb that a unit lists for an element, too, whatever the parser takes it for: "on" in
+    "turn on the light"; 0 for none.
+
+    Args:
+        tree: the sentence
+        unit: the lexical unit
+        name: of the element
+        verb: positions of the words of the verb
+    """
+    words = {word for one in unit.relations if one.name == name for word in one.words}
+    return next((index for index in verb[1:] if tree.word(index).form.lower() in words), 0)

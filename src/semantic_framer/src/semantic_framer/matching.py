@@ -16,6 +16,7 @@ from semantic_framer.attachment import (
     is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
+    listed_particle,
     objects_elsewhere,
     persons_behind,
     places_before,
@@ -30,6 +31,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
 from semantic_framer.unit_trace import write_unit
+from semantic_framer.word_patterns import argument_of
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
@@ -45,8 +47,6 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
-#: What a unit asks for must be the usual sense of the words, or they must have no type.
-_MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 #: Relations of a goal: a place that the world makes one may have any preposition.
 _TOWARDS = frozenset(["prep_to", "prep_into", "prep_onto"])
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
@@ -361,6 +361,10 @@ class _Filling:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
                 attached = (self._listed[element.name] - {head}) | behind | before
                 found.append(self._sentence.phrases.argument(element.name, head, relation.argument, left_out, attached))
+            elif (
+                particle := listed_particle(self._sentence.tree, self._unit, element.name, self._match.positions)
+            ) > 0:
+                found.append(argument_of(self._sentence, element.name, [particle]))
             elif element.default and not self._is_said_otherwise(element):
                 found.append(default_argument(element.name, element.default))
             elif element.default:

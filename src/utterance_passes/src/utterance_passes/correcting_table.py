@@ -4,8 +4,11 @@ from typing import Tuple
 
 from utterance_passes import (
     attached_phrases,
+    avoided_places,
+    awaited_deeds,
     compass,
     correct_parse,
+    items_in_order,
     names,
     objects_behind,
     participles,
@@ -157,6 +160,40 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         attached_phrases.with_ways_behind_particles,
+    ),
+    TreePass(
+        "avoided_places",
+        'Make a preposition of what says where not to go: "go to Bob avoiding halls".',
+        Example(
+            "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl avoiding|VERB|1|advcl|avoid|VBG halls|NOUN|4|obj",
+            ("avoiding: advcl(go) VERB/avoid -> case(halls) ADP/avoiding", "halls: obj(avoiding) -> obl(go)"),
+        ),
+        Stage.FRAMER,
+        avoided_places.with_avoided_places,
+    ),
+    TreePass(
+        "awaited_deeds",
+        'Make a condition of what somebody else is to do: "wait for Bob to come".',
+        Example(
+            "wait|VERB|0|root for|ADP|3|case Bob|PROPN|1|obl to|PART|5|mark come|VERB|1|advcl|come|VB",
+            (
+                "for: case(Bob) ADP/for for -> mark(come) SCONJ/until until",
+                "Bob: obl(wait) -> nsubj(come)",
+                "to: mark(come) -> discourse:aside(come)",
+            ),
+        ),
+        Stage.FRAMER,
+        awaited_deeds.with_awaited_deeds,
+    ),
+    TreePass(
+        "items_in_order",
+        'Set aside words of order before an item of a list: "visit the hall, then the office".',
+        Example(
+            "visit|VERB|0|root halls|NOUN|1|obj ,|PUNCT|5|punct then|ADV|5|advmod offices|NOUN|1|parataxis",
+            ("then: advmod(offices) -> discourse:aside(offices)", "offices: parataxis(visit) -> conj(halls)"),
+        ),
+        Stage.FRAMER,
+        items_in_order.with_items_in_order,
     ),
     TreePass(
         "contrasts",

@@ -128,7 +128,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     ),
     TagPass(
         "verbs_of_conditions",
-        "Tag a verb between the subject and the object of a condition that the tagger took for a noun.",
+        "Tag a verb behind the subject of a condition that the tagger took for a noun.",
         Example("when|ADV Bob|PROPN leaves|NOUN the|DET office|NOUN", ("3 VERB VBZ",), Verbs()),
         Stage.PARSER,
         tagging.verbs_of_conditions,

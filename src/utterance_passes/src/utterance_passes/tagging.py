@@ -173,13 +173,14 @@ def contracted_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
 
 
 def verbs_of_conditions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a verb between the subject of a condition and an object that the tagger took for a noun: "when Bob *leaves*
-    the office"."""
+    """Tag a verb behind the subject of a condition that the tagger took for a noun: "when Bob *leaves* the office",
+    "tell me if Bob *leaves*"."""
     return tuple(
         Retag(position, "VERB", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin", lemma)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "NOUN" and form.endswith("s") and 2 < position < len(forms)
-        if tags[position - 2] in ("PROPN", "PRON") and tags[position] == "DET"
+        if tag == "NOUN" and form.endswith("s") and position > 2
+        if tags[position - 2] in ("PROPN", "PRON")
+        if position == len(forms) or tags[position] in ("DET", "PUNCT", "CCONJ")
         if forms[position - 3].lower() in _CONDITIONS
         for lemma in [next((base for base in (form[:-1], form[:-2]) if VERB in parts_of_speech(base)), "")]
         if lemma
