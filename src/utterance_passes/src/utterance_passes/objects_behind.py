@@ -66,6 +66,8 @@ def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, W
         for item in tree.children(objects[0].index)
         if item.deprel == "conj" and item.upos == "NOUN" and _begins_with_article(tree, item) and _is_thing(item)
         if tree.word(min(tree.subtree(item.index)) - 1).index == objects[0].index
+        # "Bring the guests some wine and me some tea" has two groups.
+        if not any(word.upos == "PRON" or is_person(word) for word in map(tree.word, tree.subtree(item.index)))
     )[:1]
 
 
