@@ -19,7 +19,7 @@ from word_classes import word_class
 _PARTICIPANTS = word_class("participants")
 _DEVICE = "Device"
 _PERSONS = frozenset(["Sentient"])
-_PREPOSITIONS = word_class("place_prepositions") | frozenset(["of", "with", "from"])
+_PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 #: FrameNet's names of elements for how something is.

@@ -26,7 +26,7 @@ _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
-_VERB_ENDINGS = ("ing", "ed", "s")
+_VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
 
