@@ -2,7 +2,6 @@
 
 from typing import Dict, Iterator, Sequence, Tuple
 
-from phrase_meanings.arguments import ONES
 from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
@@ -15,6 +14,7 @@ _PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 _TITLES = word_class("titles")
+_SEVERAL = "ones"
 #: Words of these parts of speech may be nouns, also when the tagger erred.
 _NOUNS = frozenset(["NOUN", "PROPN", "ADJ", "VERB", "X"])
 #: Relations of words inside a name or a compound to the head.
@@ -94,7 +94,8 @@ class PhraseTypes:
         form = word.form.lower()
         if form in _PERSONS:
             return _PERSON
-        if form in _PERSONS_OR_THINGS or (form in ONES and word.upos != "NUM"):
+        # "Leave the heavy ones": several are persons or things, and no place.
+        if form in _PERSONS_OR_THINGS or form == _SEVERAL:
             return _PERSON_OR_THING
         if self._has_title(word):
             return _PERSON
