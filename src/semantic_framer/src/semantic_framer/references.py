@@ -1,20 +1,7 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-<<<<<<< HEAD
-from typing import Iterable, List, Mapping, Optional, Union
-
-from phrase_meanings.arguments import ONES, of_same_kind, resolved
-from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
-from semantic_framer.frame_roles import NO_THINGS, PLACES
-from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.reading import Reading
-from semantic_framer.sentence import Sentence
-from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_types import Fit
-from typed_arguments import Source, TypedArgument
-=======
-from typing import Iterable, Mapping, Optional, Sequence, Union
+from typing import Iterable, List, Mapping, Optional, Sequence, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
@@ -25,8 +12,7 @@ from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
-from typed_arguments import TypedArgument
->>>>>>> main
+from typed_arguments import Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
 from word_classes import word_class
@@ -47,58 +33,53 @@ _INSIDE = word_class("prepositions_of_containers")
 def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[Reading, TypedArgument]:
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
-<<<<<<< HEAD
-    frame = known.frames[reading.unit.frame_name]
-=======
     things = context.things
     place = context.place
     container = _container_meant(reading, things, known.types)
     if container is not None and len(things) > 1:
         # "Take the spoon, open the box and put it in there."
         place, things = container.text, tuple(thing for thing in things if thing != container)
->>>>>>> main
     for value in reading.arguments:
         word = value.text.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
-        element = frame.element(value.name)
+        element = known.frames[reading.unit.frame_name].element(value.name)
         is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
-            element = known.frames[reading.unit.frame_name].element(value.name)
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
             meant = _thing_meant(things, accepted, part, known.types) or place
+            if element is not None and element.framenet == _DEVICE and _is_device(place, meant, known.types):
+                meant = place
             if not meant:
                 return value
-<<<<<<< HEAD
-            value = resolved(value, _mentioned(element, context, known))
-        elif word in PLACE_PRONOUNS and not is_fixed and context.place:
-            value = resolved(value, context.place)
-=======
             value = resolved(value, meant)
         elif word in PLACE_PRONOUNS and not is_fixed and place:
             value = resolved(value, place)
->>>>>>> main
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
 
 
-<<<<<<< HEAD
-def _mentioned(element: Optional[FrameElement], context: Context, known: FramedLexicon) -> str:
-    """Return the thing or the place that a pronoun stands for: of both, what is started is the device.
+def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes) -> Optional[Thing]:
+    """Return the last container mentioned, if something is put into one: "put it in there"; None otherwise."""
+    spoken = {value.text.lower(): value for value in reading.arguments if value.positions}
+    places = [spoken[word] for word in PLACE_PRONOUNS & set(spoken)]
+    if not (PRONOUNS - DEMONSTRATIVES) & set(spoken) or all(place.relation not in _INSIDE for place in places):
+        return None
+    return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
 
-    "Put the sample into the centrifuge and start *it*" starts no sample.
-    """
-    if not (context.thing and context.place) or element is None or element.framenet != _DEVICE:
-        return context.thing or context.place
+
+def _is_device(place: str, thing: str, types: WordTypes) -> bool:
+    """Whether a place is a device and a thing is none: "put the sample into the centrifuge and start it"."""
+    if not (place and thing):
+        return False
     # "Part number 7" is a part: any of its words may say what it is.
-    types = [known.types.of_noun([word]) for word in noun_phrase(context.thing)]
-    is_no_device = all(one.fit([_DEVICE]) in (Fit.WRONG, Fit.UNKNOWN) for one in types)
-    is_place = known.types.of_noun(noun_phrase(context.place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
-    return context.place if is_no_device and is_place else context.thing
+    of_thing = [types.of_noun([word]).fit([_DEVICE]) for word in noun_phrase(thing)]
+    is_no_device = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
+    return is_no_device and types.of_noun(noun_phrase(place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
 
 
 def is_inferred(argument: TypedArgument) -> bool:
@@ -112,14 +93,6 @@ def noun_phrase(text: str) -> List[str]:
     words = text.lower().split()
     end = next((place for place, word in enumerate(words) if place and word in _PREPOSITIONS), len(words))
     return words[:end]
-=======
-def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes) -> Optional[Thing]:
-    """Return the last container mentioned, if something is put into one: "put it in there"; None otherwise."""
-    spoken = {value.text.lower(): value for value in reading.arguments if value.positions}
-    places = [spoken[word] for word in PLACE_PRONOUNS & set(spoken)]
-    if not (PRONOUNS - DEMONSTRATIVES) & set(spoken) or all(place.relation not in _INSIDE for place in places):
-        return None
-    return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
 
 
 def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, types: WordTypes) -> str:
@@ -135,7 +108,6 @@ def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, ty
     if last is None or before is None or likelihoods[last].likeliest() == likelihoods[before].likeliest():
         return last.text if last is not None else ""
     return before.text
->>>>>>> main
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
