@@ -14,6 +14,7 @@ _PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 _TITLES = word_class("titles")
+_SEVERAL = "ones"
 #: Words of these parts of speech may be nouns, also when the tagger erred.
 _NOUNS = frozenset(["NOUN", "PROPN", "ADJ", "VERB", "X"])
 #: Relations of words inside a name or a compound to the head.
@@ -93,7 +94,8 @@ class PhraseTypes:
         form = word.form.lower()
         if form in _PERSONS:
             return _PERSON
-        if form in _PERSONS_OR_THINGS:
+        # "Leave the heavy ones": several are persons or things, and no place.
+        if form in _PERSONS_OR_THINGS or form == _SEVERAL:
             return _PERSON_OR_THING
         if self._has_title(word):
             return _PERSON

@@ -204,7 +204,9 @@ def is_degree(filled: Filled) -> bool:
     """Whether a degree or a time is taken for a thing: "move a bit", "wait a moment", but not "a bit of bread"."""
     children = filled.tree.children(filled.head.index)
     is_of_something = any(child.deprel == "nmod" for child in children)
-    return bool(filled.roles) and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS and not is_of_something
+    # "Ask him not to touch it" has a verb.
+    is_measure = filled.head.upos != "VERB" and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS
+    return bool(filled.roles) and is_measure and not is_of_something
 
 
 def is_side(filled: Filled) -> bool:

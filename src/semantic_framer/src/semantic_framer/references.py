@@ -1,7 +1,7 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Iterable, Mapping, Optional, Sequence, Union
+from typing import Iterable, List, Mapping, Optional, Sequence, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
@@ -12,12 +12,16 @@ from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
+_DEVICE = "Device"
+_PERSONS = frozenset(["Sentient"])
+_PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
+_THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
@@ -41,12 +45,15 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
+        element = known.frames[reading.unit.frame_name].element(value.name)
+        is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
-            element = known.frames[reading.unit.frame_name].element(value.name)
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
             meant = _thing_meant(things, accepted, part, known.types) or place
+            if element is not None and element.framenet == _DEVICE and _is_device(place, meant, known.types):
+                meant = place
             if not meant:
                 return value
             value = resolved(value, meant)
@@ -63,6 +70,29 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
     if not (PRONOUNS - DEMONSTRATIVES) & set(spoken) or all(place.relation not in _INSIDE for place in places):
         return None
     return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
+
+
+def _is_device(place: str, thing: str, types: WordTypes) -> bool:
+    """Whether a place is a device and a thing is none: "put the sample into the centrifuge and start it"."""
+    if not (place and thing):
+        return False
+    # "Part number 7" is a part: any of its words may say what it is.
+    of_thing = [types.of_noun([word]).fit([_DEVICE]) for word in noun_phrase(thing)]
+    is_no_device = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
+    return is_no_device and types.of_noun(noun_phrase(place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
+
+
+def is_inferred(argument: TypedArgument) -> bool:
+    """Whether an argument has its text from what was said before."""
+    return argument.source is Source.INFERRED
+
+
+def noun_phrase(text: str) -> List[str]:
+    """Return the words of a noun phrase, in lower case, without the phrases behind it: "the", "biscuits" of "the
+    biscuits on the shelf"."""
+    words = text.lower().split()
+    end = next((place for place, word in enumerate(words) if place and word in _PREPOSITIONS), len(words))
+    return words[:end]
 
 
 def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, types: WordTypes) -> str:
@@ -112,7 +142,7 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     things = [
         word
         for clause in told
-        for word in sentence.tree.children(clause.verb)
+        for word in map(sentence.word, sorted(clause.positions))
         if word.deprel.split(":")[0] in ("nsubj", "obj") and word.upos == "NOUN" and not is_person(word)
     ]
     if len(things) != 1:

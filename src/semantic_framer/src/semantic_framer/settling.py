@@ -25,7 +25,7 @@ from semantic_framer.outcome import (
     left_over_refusal,
 )
 from semantic_framer.reading import Reading
-from semantic_framer.references import remember, resolve, resolve_in_parallel
+from semantic_framer.references import is_inferred, noun_phrase, remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
 from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of, unknown_arguments
@@ -164,7 +164,11 @@ def _settled(
         for readings in done
         if policy.confirms
         and now.known.frames[readings[0].unit.frame_name].wants_yes(
-            {one.name: (one.text, one.lemma, one.semantic_type) for one in readings[0].arguments}
+            {
+                # "Go to the oven and turn it on": what the pronoun stands for counts.
+                one.name: (one.text, one.lemma, one.semantic_type, *(noun_phrase(one.text) if is_inferred(one) else ()))
+                for one in readings[0].arguments
+            }
         )
     ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]

@@ -52,6 +52,7 @@ _SHOWN = frozenset(["here", "there"])
 #: After a clause with one of these verb forms, a base form starts a new clause: "I'm tired *and bring me water*".
 _FINISHED = frozenset(["PAST", "PART", "GERUND", "BE", "THIRD"])
 _FORM_OF_TAG = {"VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
+_REMARKS = frozenset(["it BE", "i BE", "we BE"])
 _SUFFIX_OF_TAG = {"VBG": "-ing", "VBD": "-ed", "VBN": "-ed", "VBZ": "-s"}
 
 
@@ -75,6 +76,11 @@ class KindVerdict:
 
     def __str__(self) -> str:
         return f"{self.kind.value}: {self.reason}, {self.words}" if self.words else f"{self.kind.value}: {self.reason}"
+
+    @property
+    def is_remark(self) -> bool:
+        """Whether it only says how the speaker or something is: "it's so heavy", "I'm thirsty"."""
+        return self.words in _REMARKS
 
     @property
     def acts(self) -> bool:

@@ -95,7 +95,7 @@ class Case:
             return True
         before = self.sentence.word(first.index - 1) if first.index > 1 else first
         is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
-        return is_joined or first.form.lower() in _RENEWING
+        return is_joined or first.form.lower() in _RENEWING or self.kind_of(clause).is_remark
 
 
 def case_of(sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, policy: Policy) -> Case:

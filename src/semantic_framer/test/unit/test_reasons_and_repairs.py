@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from semantic_framer.framer import Question, Refusal, Understood
+from semantic_framer.framer import Policy, Question, Refusal, Understood
 
 
 def said(outcome: Any) -> str:
@@ -51,6 +51,43 @@ def said(outcome: Any) -> str:
             "bringing(theme=the biscuits on the top shelf, beneficiary=me)",
         ),
         ("the window is not closed, close it", "closing(container_portal=the window)"),
+        ("Bring me water I'm thirsty.", "bringing(theme=water, beneficiary=me)"),
+        ("Can you carry my bag it's so heavy?", "bringing(theme=my bag, agent=you)"),
+        # Not everything is wanted, and somebody else shall not do something.
+        ("Wipe the table but not the chairs.", "wiping(object=the table)"),
+        (
+            "Ask the lady with the hat not to touch the painting.",
+            "requesting(addressee=the lady with the hat, message=not to touch the painting)",
+        ),
+        # Pronouns stand for what has the type of the element.
+        (
+            "Put the sample into the centrifuge and start it.",
+            "placing(theme=the sample, goal=the centrifuge) + switching_device(device=the centrifuge)",
+        ),
+        (
+            "Pick part number 7 from the tray and place it in the fixture.",
+            "taking(theme=part number 7, source=the tray) + placing(theme=part number 7, goal=the fixture)",
+        ),
+        (
+            "Take radio 7 from the charger and switch it on.",
+            "taking(theme=radio 7, source=the charger) + switching_device(device=radio 7, operational_state=on)",
+        ),
+        (
+            "Greet the group and lead them to the cafe.",
+            "greeting(addressee=the group) + guiding(cotheme=them, goal=the cafe)",
+        ),
+        ("Give the children some paper and pencils.", "giving(theme=some paper and pencils, recipient=the children)"),
+        ("Bring the first aid kit to the reception.", "bringing(theme=the first aid kit, goal=the reception)"),
+        # Words that the tagger takes for verbs.
+        ("Give grandpa his glasses.", "giving(theme=his glasses, recipient=grandpa)"),
+        ("Bring the watering can to the greenhouse.", "bringing(theme=the watering can, goal=the greenhouse)"),
+        ("Count how many pallets are in zone D.", "counting(entity=the pallets, ground=zone D)"),
+        ("Make the coffee.", "cooking(food=the coffee)"),
+        (
+            "Put the green cup left of the plate and the spoon right of it.",
+            "placing(theme=the green cup, goal=the left of the plate) + placing(theme=the spoon, goal=the right of it)",
+        ),
+        ("I need you bring me the chair.", "bringing(theme=the chair, beneficiary=me)"),
         # Said again.
         (
             "Turn to your left turn forty five degrees to your left.",
@@ -103,6 +140,10 @@ def test_what_is_meant(understand: Any, text: str, meant: str) -> None:
         # What is forbidden stays forbidden.
         "You can't go to the kitchen, go to the hall.",
         "Don't go to the kitchen, go to the hall.",
+        # Horses are not followed, they are in the painting.
+        "Go to the painting with the horses.",
+        # What is left is no place that the robot is in.
+        "Leave the heavy ones.",
         # Nobody brings these.
         "Lights please.",
         "The door please.",
@@ -113,6 +154,12 @@ def test_what_is_meant(understand: Any, text: str, meant: str) -> None:
 )
 def test_nothing_is_done(understand: Any, text: str) -> None:
     assert isinstance(understand(text)[0], (Refusal, Question))
+
+
+@pytest.mark.parametrize("text", ["Turn on the oven.", "Go to the oven and turn it on."])
+def test_what_a_pronoun_stands_for_wants_a_yes(understand: Any, text: str) -> None:
+    outcome, _ = understand(text, policy=Policy())
+    assert isinstance(outcome, Question) and outcome.code == "CONFIRM"
 
 
 def test_couple_is_two(understand: Any) -> None:

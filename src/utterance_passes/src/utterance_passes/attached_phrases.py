@@ -193,9 +193,18 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
         return False
     if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
         return True
+    if forms[:1] == ["but"] and forms[1:2] and forms[1] in _NOT and word.deprel == "conj":
+        thing = tree.word(word.head)
+        # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
+        is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
+        return thing.deprel == "obj" and not is_of_all and not _has_any_case(tree, word) and _is_last(tree, word)
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
+
+
+def _has_any_case(tree: DependencyTree, word: Word) -> bool:
+    return any(child.deprel == "case" for child in tree.children(word.index))
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:

@@ -4,6 +4,7 @@ from typing import Iterable, List, Sequence
 
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
+from utterance_passes.clauses import has_case
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -46,7 +47,10 @@ def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_behind_its_verb = (
             modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
         )
-        if helps_nothing or is_behind_its_verb:
+        # "Bring the watering can to the hall": no hall has an auxiliary.
+        helped = tree.word(modal.head) if modal.head else modal
+        is_of_noun = helped.upos == "NOUN" and helped.index > modal.index and has_case(tree, helped) and not below
+        if helps_nothing or is_behind_its_verb or is_of_noun:
             edit = TreeEdit(tree)
             edit.rehang_children(before.index, modal.index)
             head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)

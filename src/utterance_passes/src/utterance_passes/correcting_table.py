@@ -44,6 +44,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         relations.with_commands_behind_statements,
     ),
     TreePass(
+        "remarks",
+        "Make a clause of its own of a whole sentence behind a noun.",
+        Example(
+            "bring|VERB|0|root water|NOUN|1|obj I|PRON|5|nsubj am|AUX|5|cop thirsty|ADJ|2|acl:relcl",
+            ("thirsty: acl:relcl(water) -> parataxis(bring)",),
+        ),
+        Stage.FRAMER,
+        relations.with_remarks_apart,
+    ),
+    TreePass(
         "prepositions_at_names",
         "Attach a preposition to the noun right behind it.",
         Example(

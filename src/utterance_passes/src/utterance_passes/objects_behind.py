@@ -31,6 +31,9 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for verb in tree.words:
         if verb.upos != "VERB":
             continue
+        for person, thing in _listed_with_person(tree, verb):
+            edit.relabel(person.index, "iobj")
+            edit.rehang(thing.index, verb.index, "obj")
         objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
         if not objects:
             for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
@@ -50,6 +53,22 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
+    """Return a person and the thing right behind, of which the parser makes a list: "give *the children* some *paper*
+    and pencils"."""
+    objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
+    if len(objects) != 1 or not is_person(objects[0]):
+        return ()
+    return tuple(
+        (objects[0], item)
+        for item in tree.children(objects[0].index)
+        if item.deprel == "conj" and item.upos == "NOUN" and _begins_with_article(tree, item) and _is_thing(item)
+        if tree.word(min(tree.subtree(item.index)) - 1).index == objects[0].index
+        # "Bring the guests some wine and me some tea" has two groups.
+        if not any(word.upos == "PRON" or is_person(word) for word in map(tree.word, tree.subtree(item.index)))
+    )[:1]
 
 
 def _slips(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:

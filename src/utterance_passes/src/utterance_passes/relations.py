@@ -14,6 +14,7 @@ _BARE_TAGS = frozenset(["VB", "VBP"])
 _HEARERS = word_class("hearers")
 #: Relations of words that no command has.
 _OF_FINITE = frozenset(["nsubj", "csubj", "aux", "cc", "mark", "expl"])
+_OF_REMARKS = word_class("speaker_subjects") | frozenset(["it"])
 _QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
 
@@ -84,6 +85,26 @@ def with_commands_behind_statements(tree: DependencyTree, vocabulary: Vocabulary
         subjects = [child for child in tree.children(above.index) if child.deprel.startswith("nsubj")]
         if subjects and subjects[0].index < above.index and subjects[0].form.lower() not in _HEARERS:
             edit.rehang(verb.index, above.index, "parataxis")
+    return edit.tree()
+
+
+def with_remarks_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of its own of a whole sentence behind a noun: in "bring me water *I'm thirsty*" the water is not
+    described."""
+    edit = TreeEdit(tree)
+    for predicate in tree.words:
+        children = tree.children(predicate.index)
+        subjects = [child.form.lower() for child in children if child.deprel == "nsubj"]
+        has_copula = any(child.deprel == "cop" for child in children)
+        is_whole = predicate.upos == "ADJ" and has_copula and len(subjects) == 1 and subjects[0] in _OF_REMARKS
+        first = min(tree.subtree(predicate.index))
+        if predicate.deprel != "acl:relcl" or not is_whole or tree.word(first).form.lower() not in _OF_REMARKS:
+            continue
+        verb = tree.word(predicate.head)
+        while verb.upos != "VERB" and verb.head:
+            verb = tree.word(verb.head)
+        if verb.upos == "VERB":
+            edit.rehang(predicate.index, verb.index, "parataxis")
     return edit.tree()
 
 

@@ -113,6 +113,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.names_as_verbs,
     ),
     TagPass(
+        "nouns_behind_verbs",
+        "Tag a word right behind the verb of the command as a noun that English does not know as a verb.",
+        Example("give|VERB grandpa|VERB cups|NOUN", ("2 NOUN NN",), Verbs(frozenset(["give"]))),
+        Stage.PARSER,
+        tagging.nouns_behind_verbs,
+    ),
+    TagPass(
         "contracted_verbs",
         'Tag "\'s" as a verb where no noun follows that somebody could own.',
         Example("tell|VERB them|PRON dinner|NOUN 's|PART in|ADP halls|NOUN", ("4 AUX VBZ",), Verbs()),

@@ -26,6 +26,7 @@ _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
+_VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
 
@@ -143,6 +144,20 @@ def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "VERB" and position > 1 and form.istitle() and forms[position - 2] not in (".", "!", "?", '"')
         if VERB not in parts_of_speech(form.lower()) and not vocabulary.verbs_beginning_with(form.lower())
+    )
+
+
+def nouns_behind_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word right behind the verb of the command as a noun that English does not know as a verb: "give *grandpa*
+    his glasses"."""
+    verb = command_verb_position(forms, vocabulary)
+    if verb is None or verb >= len(forms) or tags[verb] != "VERB":
+        return ()
+    form = forms[verb].lower()
+    parts = parts_of_speech(form)
+    is_noun = NOUN in parts and VERB not in parts and not form.endswith(_VERB_ENDINGS)
+    return (
+        (Retag(verb + 1, "NOUN", "NN", "Number=Sing"),) if is_noun and not vocabulary.verbs_beginning_with(form) else ()
     )
 
 
