@@ -302,7 +302,10 @@ class LongDay(OnRobot):
     )
 
     def trial(self, number: int, chance: random.Random) -> Dict[str, Any]:
-        """Say one sentence; every 300th trial kills a node, and every 30th looks at the memory."""
+        """Say one sentence; every 300th trial kills a node, and every 30th looks at the memory.
+
+        The first look comes after a minute: before, nodes still load.
+        """
         robot = self.robot
         begin_s = time.monotonic()
         robot.forget()
@@ -313,7 +316,7 @@ class LongDay(OnRobot):
             os.kill(robot.pid_of(found["killed"]), signal.SIGKILL)
         found["unanswered"] = int(robot.reply_to(text, _REPLY_S) is None)
         found["doubled"] = robot.doubled()
-        if number % 30 == 0:
+        if number % 30 == 29:
             found["memory_mb"] = robot.memory_mb()
         time.sleep(max(0.0, 2.0 - (time.monotonic() - begin_s)))
         return found

@@ -1,6 +1,7 @@
 """The start of a node: its parameters, its log, its diagnostics, and its end when it cannot start."""
 
-import threading
+import contextlib
+import queue
 from dataclasses import fields
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Type, TypeVar
 
@@ -110,10 +111,12 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
 
 def _wait_for_shutdown() -> None:
     """Return when ROS shuts down; ``rospy.spin`` looks twice a second whether it does."""
-    is_over = threading.Event()
-    rospy.on_shutdown(is_over.set)
+    # Ctrl-C is handled in this thread, whatever it does: what tells it must take no lock that it may hold.
+    told: queue.SimpleQueue[None] = queue.SimpleQueue()
+    rospy.on_shutdown(lambda: told.put(None))
     while not rospy.is_shutdown():
-        is_over.wait(_LONGEST_WAIT_S)
+        with contextlib.suppress(queue.Empty):
+            told.get(timeout=_LONGEST_WAIT_S)
 
 
 def _health_of(node: object) -> Callable[[], Health]:
