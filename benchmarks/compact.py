@@ -115,8 +115,7 @@ def main(compact: bool) -> int:
     """Start a robot, and measure it."""
     worker = [sys.executable, os.path.abspath(__file__)]
     with tempfile.TemporaryDirectory() as folder, OwnGraph() as graph:
-        graph.start(["roscore", "-p", str(graph.port)])
-        time.sleep(3.0)
+        graph.start_master()
         graph.start([*worker, BARE])
         files = [f"{name}_file:={folder}/{name}.sqlite" for name in ("world_memory", "standing_orders")]
         began_s = time.monotonic()

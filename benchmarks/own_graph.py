@@ -3,9 +3,13 @@
 import os
 import socket
 import subprocess
+import time
 from contextlib import ExitStack
 from typing import Sequence
 
+import rosgraph
+
+_START_TIMEOUT_S = 60.0
 _END_TIMEOUT_S = 30.0
 
 
@@ -41,6 +45,19 @@ class OwnGraph(ExitStack):
         """Start a program that prints nothing."""
         quiet = subprocess.DEVNULL
         self.callback(end, subprocess.Popen(command, env=self._environment, stdout=quiet, stderr=quiet))
+
+    def start_master(self) -> None:
+        """Start a master, and return when it answers.
+
+        Raises:
+            SystemExit: it does not answer in time
+        """
+        self.start(["roscore", "-p", str(self.port)])
+        end_s = time.monotonic() + _START_TIMEOUT_S
+        while not rosgraph.is_master_online(self._environment["ROS_MASTER_URI"]):
+            if time.monotonic() > end_s:
+                raise SystemExit(f"no master within {_START_TIMEOUT_S:g} s")
+            time.sleep(0.1)
 
     def run(self, command: Sequence[str]) -> int:
         """Run a program to its end; returns its exit status."""

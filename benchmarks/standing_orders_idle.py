@@ -127,8 +127,7 @@ def main() -> int:
     """Start a graph of its own, and measure in it."""
     worker = [sys.executable, os.path.abspath(__file__)]
     with OwnGraph() as graph, tempfile.TemporaryDirectory() as folder:
-        graph.start(["roscore", "-p", str(graph.port)])
-        time.sleep(3.0)
+        graph.start_master()
         for name in ("bare", "watcher"):
             graph.start([*worker, name])
         graph.start(["rosrun", "standing_orders", "standing_orders", f"_file:={folder}/orders.sqlite"])

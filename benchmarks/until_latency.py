@@ -145,8 +145,7 @@ def main(count: int) -> int:
     """Start the executor, the source's other listeners and the measurement."""
     own = [sys.executable, os.path.abspath(__file__)]
     with OwnGraph() as graph:
-        graph.start(["roscore", "-p", str(graph.port)])
-        time.sleep(2.0)
+        graph.start_master()
         for command in (["rosrun", "executor", "executor"], [*own, "relay"], [*own, "watcher"]):
             graph.start(command)
         return graph.run([*own, "measure", str(count)])

@@ -82,6 +82,11 @@ class FleetTest(unittest.TestCase):
         self.robots.ask("Beta, forget the bell.")
         answer = waits_for("Everybody, what are you waiting for?")
         self.assertEqual(answer, "Alpha, Beta and Gamma: I have no standing order.")
+        for turn in range(5):
+            self.robots.ask("Everybody, turn left 20 degrees at noon.")
+            self.robots.ask("Everybody, forget everything.")
+            answer = waits_for("Everybody, what are you waiting for?")
+            self.assertEqual(answer, "Alpha, Beta and Gamma: I have no standing order.", f"turn {turn}")
         # What Alpha is to pass on waits for the bell with Beta, and is answered when it is done.
         text = "Alpha, when the bell rings, tell Beta to turn left 20 degrees."
         before, replies = self.robots.turned(), len(self.robots.replies)

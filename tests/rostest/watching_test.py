@@ -13,7 +13,7 @@ import threading
 import time
 import unittest
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Set, Tuple
 
 import rospy
 import rostest
@@ -142,6 +142,7 @@ class WatchingTest(unittest.TestCase):
         }
         cls.odometry: Tuple[float, ...] = ()
         cls.truth: Dict[str, Any] = {}
+        cls.rooms: Set[str] = set()
         cls.subscribers = [
             rospy.Subscriber("odom", Odometry, cls._on_odometry, queue_size=1),
             rospy.Subscriber("home/truth", String, cls._on_truth, queue_size=1),
@@ -160,6 +161,7 @@ class WatchingTest(unittest.TestCase):
     @classmethod
     def _on_truth(cls, message: String) -> None:
         cls.truth = json.loads(message.data)["truth"]
+        cls.rooms.add(cls.truth.get("robot.room", ""))
 
     def _untrue(self, wanted: Dict[str, Any]) -> str:
         """Return what is not as wanted, after a second in which it may still become so."""
@@ -221,6 +223,8 @@ class WatchingTest(unittest.TestCase):
     def _check(self, case: Dict[str, Any]) -> Tuple[str, str]:
         """Say a sentence; return what is wrong, and the line of the table."""
         before = self.odometry
+        self.rooms.clear()
+        self.rooms.add(self.truth.get("robot.room", ""))
         reply, seen = self._say(case)
         names = [goal[0] for goal in seen.goals]
         outcome = case.get("outcome", "DONE")
@@ -235,6 +239,8 @@ class WatchingTest(unittest.TestCase):
             problem = f"no {case['frame']} in {seen.frames}"
         elif case.get("moved") and self.odometry == before:
             problem = "nothing moved"
+        elif "rooms" in case and self.rooms - {""} != set(case["rooms"]):
+            problem = f"was in {sorted(self.rooms)}"
         else:
             problem = self._untrue(case.get("truth", {}))
         became, late_s = _lateness(seen, case)

@@ -109,3 +109,22 @@ def test_the_judge_knows_wrong_answers(said: Optional[str], is_right: bool, is_i
     text = said and said.format(holder=holder.name, room=room.name, other=other.name)
     verdict = judge(question, text, scene)
     assert (verdict.is_right, bool(verdict.invented)) == (is_right, is_invented)
+
+
+@pytest.mark.parametrize(
+    ("said", "is_right", "is_invented"),
+    [
+        ("I know of no box but the toolbox, which is in the {garage}.", True, False),
+        ("The toolbox is in the {garage}.", False, False),
+        ("I know of no box but the toolbox, which is in the {other}.", False, True),
+        ("I have not seen any box. The toolbox has it.", False, True),
+    ],
+)
+def test_the_judge_knows_what_is_true_of_another_thing(said: str, is_right: bool, is_invented: bool) -> None:
+    scene = scene_of(1)
+    rooms = {one.id: one.name for one in scene.entities("room")}
+    box = scene.plan.entities["box"]
+    names = frozenset(name.lower() for name in box.names)
+    question = Question("unseen", "Where is the box?", names=names, verdict="unknown", noun="box")
+    verdict = judge(question, said.format(garage=rooms["garage"], other=rooms["kitchen"]), scene)
+    assert (verdict.is_right, bool(verdict.invented)) == (is_right, is_invented)

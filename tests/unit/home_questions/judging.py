@@ -36,6 +36,8 @@ class Question:
         colours: colours that the answer may have
         numbers: numbers that the answer may have
         verdict: "yes" or "no" at the beginning; "unknown": the answer must say that it is not known; empty for others
+        noun: of what is asked for and not seen: the answer may name other things of this kind, if it says truly where
+            each of them is
     """
 
     kind: str
@@ -45,6 +47,7 @@ class Question:
     colours: FrozenSet[str] = frozenset()
     numbers: FrozenSet[str] = frozenset()
     verdict: str = ""
+    noun: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,8 @@ def judge(question: Question, answer: Optional[str], scene: Scene) -> Verdict:
         return Verdict(False)
     said = answer.lower()
     begins = "yes" if said.startswith("yes") else "no" if said.startswith(("no,", "no.")) else ""
-    invented = [name for name in _names_in(said, scene) if name not in question.names]
+    true = _true_of_others(question.noun, said, scene)
+    invented = [name for name in _names_in(said, scene) if name not in question.names | true]
     invented += [one for one in _COLOURS & set(re.findall(r"[a-z]+", said)) if one not in question.colours]
     if question.verdict != "unknown":
         invented += [one for one in _NUMBERS.findall(said) if one not in question.numbers]
@@ -74,6 +78,21 @@ def judge(question: Question, answer: Optional[str], scene: Scene) -> Verdict:
     elif is_known:
         is_right = is_right and (begins == question.verdict)
     return Verdict(is_right and not invented, tuple(invented))
+
+
+def _true_of_others(noun: str, said: str, scene: Scene) -> FrozenSet[str]:
+    """Return the names in what an answer says truly of other things of a kind: each is there, and was seen there."""
+    found: FrozenSet[str] = frozenset()
+    for one in scene.entities("thing", "furniture") if noun else ():
+        is_known = one.kind == "furniture" or scene.is_seen(one)
+        if not is_known or (one.category != noun and not one.name.lower().endswith(f" {noun}")):
+            continue
+        room = scene.plan.entities[scene.room_of(one)]
+        where = [room] if one.kind == "furniture" else [room, scene.plan.entities[scene.state.places[one.id].holder]]
+        for name, place in ((name, place) for name in words_of(one) for place in words_of(room)):
+            if re.search(rf"\b{re.escape(name)},?( which)? (is|are) (?:(?! and )[a-z ])*\b{re.escape(place)}\b", said):
+                found |= _all_words([one, *where])
+    return found
 
 
 def _has(said: str, word: str) -> bool:
@@ -176,7 +195,8 @@ class Asker:
     def _unseen(self, kind: str) -> Question:
         unseen = self._unique([one for one in self._things if not self._scene.is_seen(one)])
         one = self._chance.choice(unseen)
-        return Question(kind, self._text(kind, thing=one.name), names=words_of(one), verdict="unknown")
+        text = self._text(kind, thing=one.name)
+        return Question(kind, text, names=words_of(one), verdict="unknown", noun=one.name.lower())
 
     def _contents(self, kind: str) -> Question:
         holders = [one for one in self._scene.entities("furniture") if {"surface", "container"} & one.traits]

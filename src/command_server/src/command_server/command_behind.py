@@ -25,6 +25,8 @@ _NO_OBJECTS: FrozenSet[str] = frozenset(
 )
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _JOINING: FrozenSet[str] = frozenset(["and", "then"])
+#: What is wanted instead, in one word: "no wait, right".
+_SIDES: FrozenSet[str] = frozenset(["left", "right"])
 #: Words in "ing" that are not participles.
 _IN_ING: FrozenSet[str] = frozenset("bring sing ring swing fling cling".split())
 
@@ -54,6 +56,8 @@ def command_behind(rest: str) -> str:
             continue
         if is_pause and word in COMMAND_VERBS:
             return _command_at(text, tokens, position)
+        if is_pause and word in _SIDES and all(one in _SIDES | _PAUSES | SOFT for one in words[position:]):
+            return text[tokens[position].start :].strip()
         if is_pause and word in _REQUESTS and words[position + 1 : position + 2] == ["you"]:
             position += 2
             continue

@@ -86,7 +86,8 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
         (
             "full stop; all stop; dead stop; hard stop; complete stop; emergency; do not; do not do that; do not do "
             "it; do not do this; do not you dare; stay away; stay away from me; keep away; keep away from me; leave "
-            "me alone; shut down; shutdown; shut it down; power down; power off; kill switch; break"
+            "me alone; shut down; shutdown; shut it down; power down; power off; kill switch; break; careful; shut up; "
+            "be quiet; quiet; silence; hush"
         ),
     ),
     (

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, List, Optional
 
 from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
+from command_server.spoken_words import plain_text, tokens_of
 
 
 @dataclass(frozen=True)
@@ -46,9 +47,15 @@ class FollowUps:
         return command
 
     def spared_by(self, stop_text: str, stop_stamp_ns: int) -> FrozenSet[str]:
-        """Ids of the commands that the stop with this text and stamp does not end: they were said after it."""
+        """Ids of the commands that the stop with this text and stamp does not end: they were said after it.
+
+        A robot of a fleet hears "Everybody, stop and come back" twice: with all others, and the part that is for it.
+        """
+        said = _words(stop_text)
         spared = {
-            command_id: waiting for command_id, waiting in self._waiting.items() if waiting.stop.text == stop_text
+            command_id: waiting
+            for command_id, waiting in self._waiting.items()
+            if f" {_words(waiting.stop.text)} " in f" {said} "
         }
         for command_id, waiting in spared.items():
             stamp_ns = stamp_after(waiting.command.stamp_ns, stop_stamp_ns)
@@ -103,3 +110,7 @@ class FollowUps:
     def next_due_s(self) -> Optional[float]:
         """When the next command may start, monotonic seconds; None for no command."""
         return min((waiting.begin_s for waiting in self._waiting.values() if waiting.begin_s is not None), default=None)
+
+
+def _words(text: str) -> str:
+    return " ".join(token.word for token in tokens_of(plain_text(text)[1]) if token.word[:1].isalnum())

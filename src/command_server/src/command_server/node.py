@@ -52,16 +52,16 @@ from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import may_still_move, sentence_of
 from robot_stop.settings import BrakeSettings
 
-_LONGEST_WAIT_S = 0.2
-_JOIN_TIMEOUT_S = 5.0
+# How often the worker looks at what tells nothing: who is connected. While nothing is open, that can wait.
+_LONGEST_WAIT_S, _IDLE_WAIT_S = 0.2, 1.0
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 2.0
 # A stop is answered within this multiple of its time-out: for its report, then for its reply.
 _WAIT_FOR_STOP = 3.0
 # How long a brake may take to report which nodes obey, beyond its own time-out.
 _BRAKE_SLACK_S = 1.0
-# Time in which the last messages leave the process.
-_FLUSH_S = 0.1
+# At the end: for the worker, and for the last messages to leave the process.
+_JOIN_TIMEOUT_S, _FLUSH_S = 5.0, 0.1
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
@@ -140,13 +140,12 @@ class CommandServerNode:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=1.0)
-        self._action.shutdown()
         self._store.close()
 
     def _work(self) -> None:
         while True:
             events = self._events.take(
-                longest_wait_s=_LONGEST_WAIT_S,
+                longest_wait_s=_IDLE_WAIT_S if self._is_idle() else _LONGEST_WAIT_S,
                 deadlines_s=(
                     self._commands.next_deadline_s(),
                     self._stops.next_deadline_s(),
@@ -182,6 +181,10 @@ class CommandServerNode:
             self._save()
             self._texts.send()
             self._replies.publish_status(self._commands.open_commands)
+
+    def _is_idle(self) -> bool:
+        """Whether nothing waits but what has a deadline, or comes as an event."""
+        return not (self._commands.open_commands or self._brakings or self._left_over.is_waiting)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):

@@ -6,6 +6,8 @@ import actionlib
 import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandResult, Reply, StageEvent
 
+from roboframenet_ros.ros_quiet_action_server import QuietActionServer
+
 
 class CommandActionServer:
     """Goals of the action ``command``, by id.
@@ -25,7 +27,7 @@ class CommandActionServer:
         """
         self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
         self._heirs: Dict[str, str] = {}
-        self._server = actionlib.ActionServer(
+        self._server = QuietActionServer(
             "command",
             ExecuteCommandAction,
             on_goal,
@@ -36,11 +38,6 @@ class CommandActionServer:
     def start(self) -> None:
         """Start to accept goals."""
         self._server.start()
-
-    def shutdown(self) -> None:
-        """Stop the timer, which would publish to closed topics."""
-        if self._server.status_timer is not None:
-            self._server.status_timer.shutdown()
 
     def accept(self, handle: actionlib.ServerGoalHandle) -> None:
         """Accept a goal."""

@@ -40,6 +40,11 @@ class LeftOver:
         """The commands whose reply is still held back."""
         return tuple(ending.command for ending in self._held)
 
+    @property
+    def is_waiting(self) -> bool:
+        """Whether a command is still to be ended, or a reply still held back."""
+        return bool(self._awaited or self._held)
+
     def take_brake(self, *, is_executor_connected: bool) -> bool:
         """Whether the time of the executor is over, so that the robot must be stopped; true once."""
         now_s = time.monotonic()

@@ -41,6 +41,8 @@ from command_server.stop_words import find_cry
         ("no no no stop, go back", "go back"),
         ("you will hit the lamp, stop and go back", "go back"),
         ("Stop \u2013 turn left", "turn left"),
+        ("no wait, right", "right"),
+        ("stop, left please", "left please"),
         ("stop and bring me the cup", "bring me the cup"),
         ('stop and say "you are here"', 'say "you are here"'),
         ("stop and go to the door and stop there", "go to the door and stop there"),

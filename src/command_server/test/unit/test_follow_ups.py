@@ -59,6 +59,13 @@ def test_its_own_stop_spares_it_and_sets_its_stamp(follow_ups, clock):
     assert begun.command_id == command.command_id and begun.stamp_ns > stop_stamp_ns
 
 
+def test_stop_that_was_said_to_all_robots_spares_it(follow_ups):
+    command = follow_ups.add("come back.", stop=STOP, stop_stamp_ns=0)
+    stop_stamp_ns = STOP.stamp_ns + 4_000_000
+    assert follow_ups.spared_by("Everybody stop.", stop_stamp_ns) == frozenset()
+    assert follow_ups.spared_by("Everybody, stop and come back!", stop_stamp_ns) == {command.command_id}
+
+
 def test_forgotten_one_does_not_begin(follow_ups, clock):
     command = follow_ups.add("come back.", stop=STOP, stop_stamp_ns=0)
     follow_ups.hear_answer(STOP.command_id, is_stopped=True)

@@ -215,7 +215,8 @@ class ExecutorNode:
     def _work(self) -> None:
         while True:
             try:
-                event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
+                is_idle = not (self._commands.running or self._commands.waiting)
+                event = self._inbox.get(timeout=_EVENT_PERIOD_S if is_idle else _EVENT_PERIOD_S / 2.0)
             except queue.Empty:
                 self._suspension.turn()
                 self._report_progress()

@@ -74,8 +74,8 @@ class LivenessWatch:
             self._on_dead(dead)
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
-        nodes_of = self._master.system_state().publishers
-        types = self._master.topic_types()
+        state, types = self._master.graph()
+        nodes_of = state.publishers
         answers: Dict[str, bool] = {}
         dead = set()
         known = self._proxies

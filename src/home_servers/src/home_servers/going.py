@@ -4,7 +4,7 @@ import math
 from typing import Optional
 
 from home_servers.body import CannotDo
-from home_servers.memory import Known
+from home_servers.memory import Known, is_whole
 from home_servers.places import is_beside, is_inside
 from home_servers.skills import HEARERS, HERE, SPEAKERS, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
@@ -32,12 +32,32 @@ def goal_of(skills: Skills, frame: FilledFrame, element: str = "goal") -> Known:
     return skills.find(words)
 
 
+def avoid(skills: Skills, words: TypedArgument) -> None:
+    """Keep out of rooms and doors until the goal ends.
+
+    Raises:
+        CannotDo: the robot knows no such rooms and doors, or is in one
+    """
+    found = skills.memory.find(words, "room", "door", here=skills.body.place())
+    places = found if words.is_plural or is_whole(words) else found[:1]
+    if not places:
+        raise CannotDo(f"I can keep out of rooms and doors that I know, but not of {words.text}.")
+    here = next((place for place in places if place.id == skills.body.room()), None)
+    if here is not None:
+        raise CannotDo(f"I cannot keep out of {here.the_name}: I am there.")
+    skills.avoided = " ".join(place.id for place in places)
+
+
 def navigate(skills: Skills, frame: FilledFrame) -> None:
-    """Drive into a room, or to the edge of a thing or a person."""
+    """Drive into a room, or to the edge of a thing or a person, not through what is to be avoided."""
+    if said(frame, "avoided"):
+        avoid(skills, argument(frame, "avoided"))
     goal, relation = goal_of(skills, frame), argument(frame, "goal").relation
     # Of rooms the robot knows only the inside, and it fits into no thing.
     if is_beside(relation) if goal.sort == "room" else is_inside(relation):
         raise CannotDo(f"I cannot go {relation.replace('_', ' ')} {goal.the_name}.")
+    if {goal.id, goal.room}.intersection(skills.avoided.split()):
+        raise CannotDo(f"I cannot go to {goal.the_name}: that is where I shall not go.")
     skills.go(goal.id)
 
 

@@ -194,6 +194,9 @@ def _switch_one(skills: Skills, one: Known, wanted: TypedArgument) -> None:
 
 
 def _change_level(skills: Skills, one: Known, change: float) -> None:
+    skills.go(one.id)
+    skills.attempt("look", theme=one.id)
+    one = skills.memory.get(one.id) or one
     level = next((float(state.split("=")[1]) for state in one.states if state.startswith("level=")), 50.0)
     skills.attempt("switch", theme=one.id, amount=max(0.0, min(100.0, level + change)))
 
@@ -214,12 +217,10 @@ def level(change: float, names: "Dict[str, str]", element: str = "item") -> Skil
         wanted = names.get((item.lemma or item.text).lower())
         by, to = _per_cent(argument(frame, "difference")), _per_cent(argument(frame, "value"))
         for one in skills.find_all(TypedArgument(text=wanted) if wanted else item, "furniture", "thing"):
-            skills.go(one.id)
-            skills.attempt("look", theme=one.id)
             if to is not None:
                 skills.attempt("switch", theme=one.id, amount=to)
             else:
-                _change_level(skills, skills.memory.get(one.id) or one, change if by is None else by * sign)
+                _change_level(skills, one, change if by is None else by * sign)
 
     return act
 

@@ -16,6 +16,8 @@ RELATIONS: Mapping[str, Tuple[str, ...]] = {
         Path(__file__).resolve().with_name("relations.yaml").read_text(encoding="utf-8")
     ).items()
 }
+#: Furniture in which things are kept, by its category.
+HOLDING = frozenset("basket cupboard drawer fridge wardrobe box machine sink oven dishwasher".split())
 #: A person is at furniture whose middle is so near, metres.
 _AT_M = 2.0
 #: What is meant by "on the table" and by "in the sink" is not told apart of things that are there.

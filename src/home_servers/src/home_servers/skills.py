@@ -5,7 +5,7 @@ from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from home_servers.body import Body, CannotDo
 from home_servers.memory import Known, is_any, is_whole
-from home_servers.places import RELATIONS, Place
+from home_servers.places import HOLDING, RELATIONS, Place
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import word_class
@@ -43,6 +43,7 @@ class Skills:
         self.body = body
         self.memory = body.memory
         self._speaker = speaker
+        self.avoided = ""  # Ids of rooms and doors that no way of this goal leads through, with blanks between.
         self._opens_doors = True
         self._opened: List[str] = []
         self._depth = 0
@@ -60,7 +61,7 @@ class Skills:
             raise CannotDo("I do not get any further.")
         self._depth += 1
         try:
-            self._attempt(Action(kind, **values))  # type: ignore[arg-type]
+            self._attempt(Action(kind, avoided=self.avoided if kind == "go" else "", **values))  # type: ignore[arg-type]
         finally:
             self._depth -= 1
 
@@ -120,7 +121,8 @@ class Skills:
     def go(self, target: str, *, reach_m: float = math.nan) -> None:
         """Drive to an entity; open doors on the way, and close them behind."""
         known = self.memory.get(target)
-        if known is not None and self.memory.opened and self.body.room() != known.room:
+        # The other side of a door may be where the robot shall not go.
+        if self.memory.opened and not self.avoided and known is not None and self.body.room() != known.room:
             self._close_behind(self.body.room())
         self.attempt("go", goal=target, amount=reach_m)
 
@@ -435,8 +437,6 @@ class Skills:
         return self.memory.get(self.body.room())
 
 
-#: Furniture in which things are kept, by its category.
-HOLDING = frozenset("basket cupboard drawer fridge wardrobe box machine sink oven dishwasher".split())
 Skill = Callable[[Skills, FilledFrame], None]
 
 

@@ -1,14 +1,16 @@
-"""Odometry, read only while somebody asks where the base is."""
+"""Odometry, read as it comes only while somebody asks where the base is."""
 
 import math
 import threading
 import time
+from functools import partial
 from typing import Optional, Tuple
 
 import rospy
 from nav_msgs.msg import Odometry
 
 from move_action_server.motion import OdometrySample
+from move_action_server.unasked import MOST_UNREAD_BYTES, Unasked
 
 
 class UnreadOdometry(Odometry):
@@ -24,6 +26,11 @@ class UnreadOdometry(Odometry):
     def __init__(self) -> None:
         """Hold nothing; the fields are made when they are asked for."""
         self._encoded = b""
+
+    @property
+    def encoded_size(self) -> int:
+        """Bytes that were sent."""
+        return len(self._encoded)
 
     def deserialize(self, encoded: bytes) -> "UnreadOdometry":
         """Keep what was sent."""
@@ -60,13 +67,16 @@ def sample_of(message: Odometry) -> OdometrySample:
 class LatestOdometry:
     """Holds the newest odometry message and wakes threads that wait for the next one.
 
-    Subscribes ``odom`` (nav_msgs/Odometry).
+    Subscribes ``odom`` (nav_msgs/Odometry). While nobody asks, its thread reads the topic a few times a second; what
+    comes meanwhile stays in the socket, and all but the newest message of it is dropped unread (``queue_size=1``).
     """
 
     def __init__(self) -> None:
         self._condition = threading.Condition()
         self._message: Optional[Odometry] = None
-        self._count = 0
+        self._count = self._wakes = 0
+        self._unasked = Unasked(now_s=time.monotonic())
+        self._is_pausing = False
         self._subscriber = rospy.Subscriber("odom", UnreadOdometry, self._take, queue_size=1, tcp_nodelay=True)
 
     @property
@@ -79,6 +89,17 @@ class LatestOdometry:
             self._message = message
             self._count += 1
             self._condition.notify_all()
+            # Of another class, it is for somebody else in the process, too.
+            size = message.encoded_size if isinstance(message, UnreadOdometry) else MOST_UNREAD_BYTES
+            pause_s = self._unasked.pause_s(count=self._count, size=size, now_s=time.monotonic())
+            if pause_s > 0.0 and self._is_alone():
+                self._is_pausing = True
+                self._condition.wait_for(lambda: not self._is_pausing, pause_s)
+                self._is_pausing = False
+
+    def _is_alone(self) -> bool:
+        """Whether nobody else in the process hears the topic: one thread of rospy brings the messages to all."""
+        return len(self._subscriber.impl.callbacks) == 1
 
     @property
     def count(self) -> int:
@@ -89,6 +110,7 @@ class LatestOdometry:
     def wake(self) -> None:
         """Wake all waiting threads."""
         with self._condition:
+            self._wakes += 1
             self._condition.notify_all()
 
     def latest(self) -> Optional[OdometrySample]:
@@ -104,10 +126,17 @@ class LatestOdometry:
             the sample, or None if there is none; and the count of messages so far
         """
         end_s = time.monotonic() + timeout_s
+        with self._condition:
+            self._unasked.ask(count=self._count, now_s=time.monotonic())
+            if self._is_pausing:
+                # What comes first has waited in the socket: its source may be dead.
+                than = max(than, self._count + 1)
+                self._is_pausing = False
+                self._condition.notify_all()
         while True:
             with self._condition:
-                if self._count <= than:
-                    self._condition.wait(max(0.0, end_s - time.monotonic()))
+                wakes, left_s = self._wakes, max(0.0, end_s - time.monotonic())
+                self._condition.wait_for(partial(self._is_over, than=than, wakes=wakes), left_s)
                 message, count = self._message, self._count
             if count <= than or message is None:
                 return None, count
@@ -115,6 +144,9 @@ class LatestOdometry:
             if sample is not None or time.monotonic() >= end_s:
                 return sample, count
             than = count
+
+    def _is_over(self, *, than: int, wakes: int) -> bool:
+        return self._count > than or self._wakes != wakes
 
     def _read(self, message: Odometry) -> Optional[OdometrySample]:
         sample = sample_of(message)

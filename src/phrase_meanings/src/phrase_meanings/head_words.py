@@ -12,6 +12,8 @@ from utterance_passes.tree import QUOTED, DependencyTree, Word
 from word_classes import word_class, word_list
 
 _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
+#: Nouns that stand for a number: "a couple of beers".
+_COUPLES = frozenset(["couple"])
 _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _SIDES = word_class("sides")
@@ -52,7 +54,10 @@ def chosen_from(tree: DependencyTree, head: int, own: FrozenSet[int]) -> Optiona
     word = tree.word(head)
     quantifier = shipped_meanings().quantifiers.get(word.form.lower(), "")
     count = _number(word.form) if word.upos == "NUM" else None
-    if not (quantifier or count is not None) or word.upos in ("NOUN", "PROPN"):
+    is_couple = word.form.lower() in _COUPLES and any(child.form.lower() == "a" for child in tree.children(head))
+    if is_couple:
+        count = _number(f"a {word.form.lower()}")
+    elif not (quantifier or count is not None) or word.upos in ("NOUN", "PROPN"):
         return None
     for child in tree.children(head):
         if child.deprel.startswith("nmod") and child.index in own and first_preposition(tree, child.index) == "of":

@@ -95,6 +95,10 @@ def _last_words(_: Arguments, known: RobotKnowledge) -> str:
     return f'You said "{known.last_words}".' if known.last_words else "You have not said anything before."
 
 
+def _last_reply(_: Arguments, known: RobotKnowledge) -> str:
+    return f'I said: "{known.last_reply}"' if known.last_reply else "I have not said anything before."
+
+
 def _place(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _found(theme, known)
@@ -107,7 +111,10 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
     if len(found) == 1:
         called = _called(theme, found[0])
-        return f"{with_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
+        where = f"{_is(found, called)} {placed[0][1]}{_reported(found[0])}"
+        if _is_only_of_the_kind(theme, found[0]):
+            return f"I know of no {bare_noun(theme)} but {called}, which {where}."
+        return f"{with_capital(called)} {where}."
     parts = [f"{'one' if not one.name else name_of(one)} is {place or 'somewhere unknown'}" for one, place in placed]
     known_of = f"I know of {len(found)} {_plural(theme, found)}: "
     named = join_with_and(_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts))
@@ -337,6 +344,7 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_own_place": _own_place,
     "question_of_activity": _activity,
     "question_of_last_words": _last_words,
+    "question_of_last_reply": _last_reply,
     "question_of_place": _place,
     "question_of_number": _number,
     "question_of_what_is_there": _what_is_there,
@@ -382,6 +390,14 @@ def _called(theme: TypedArgument, one: WorldObject) -> str:
     """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
     is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
     return _definite(theme) if is_its_noun and not one.name else name_of(one)
+
+
+def _is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
+    """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
+    not be the box that is meant."""
+    said = {theme.lemma.lower(), theme.head.lower()}
+    named = {word for name in one.names for word in (spoken(name), spoken(name).split()[-1])}
+    return bool(one.names) and one.sort is not Sort.PERSON and noun_of(one) in said and not named & said
 
 
 def _definite(theme: TypedArgument) -> str:

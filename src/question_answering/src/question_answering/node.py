@@ -167,6 +167,7 @@ class QuestionAnswering:
                 ability_count=len(acting),
                 doing=doing[0] if doing else "",
                 last_words=self._said[0].text if len(self._said) > 1 else "",
+                last_reply=self._history.last_reply,
                 now=datetime.now(),
                 deeds=self._history.deeds,
                 next_steps=self._history.next_steps,

@@ -51,6 +51,7 @@ class RobotKnowledge:
         ability_count: number of frames that it can carry out now
         doing: the command that runs; empty for none
         last_words: what was said before; empty for nothing
+        last_reply: what the robot replied last; empty for nothing
         now: local time
         deeds: the commands that have ended, without questions, the last one last
         next_steps: what comes after what runs, in the words of the person
@@ -63,6 +64,7 @@ class RobotKnowledge:
     ability_count: int = 0
     doing: str = ""
     last_words: str = ""
+    last_reply: str = ""
     now: datetime = datetime.min
     deeds: Tuple[Deed, ...] = ()
     next_steps: Tuple[str, ...] = ()

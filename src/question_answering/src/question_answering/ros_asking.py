@@ -1,5 +1,6 @@
 """The stage of questions: sends each question to a server that answers it, beside whatever the robot does."""
 
+import contextlib
 import queue
 import threading
 import time
@@ -35,12 +36,17 @@ class Asking:
         """
         self._timeout_s = timeout_s
         self._connections: Dict[str, ActionConnection] = {}
-        self._waiting: queue.Queue[CommandPlan] = queue.Queue(_MOST_WAITING)
+        self._waiting: queue.Queue[Optional[CommandPlan]] = queue.Queue(_MOST_WAITING)
         self._stage = Stage("question_answering")
         self._thread = threading.Thread(target=self._work, name="answer questions", daemon=True)
         self._thread.start()
         self._subscriber = rospy.Subscriber("command_question", CommandPlan, self._hear, queue_size=_MOST_WAITING)
-        rospy.on_shutdown(lambda: self._thread.join(timeout_s + 1.0))
+        rospy.on_shutdown(self._shutdown)
+
+    def _shutdown(self) -> None:
+        with contextlib.suppress(queue.Full):
+            self._waiting.put_nowait(None)
+        self._thread.join(self._timeout_s + 1.0)
 
     def _hear(self, message: CommandPlan) -> None:
         try:
@@ -50,10 +56,9 @@ class Asking:
 
     def _work(self) -> None:
         while not rospy.is_shutdown():
-            try:
-                message = self._waiting.get(timeout=0.5)
-            except queue.Empty:
-                continue
+            message = self._waiting.get()
+            if message is None:
+                return
             try:
                 self._answer(message)
             except Exception as error:  # boundary: each command gets its reply, whatever fails

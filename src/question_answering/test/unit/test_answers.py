@@ -198,6 +198,7 @@ KNOWN = RobotKnowledge(
     ability_count=2,
     doing="Go to the kitchen.",
     last_words="Turn left.",
+    last_reply="Which mug?",
     now=datetime(2026, 11, 22, 14, 5),
 )
 
@@ -210,6 +211,9 @@ KNOWN = RobotKnowledge(
         ("Who are you?", "I am Robo, a robot that understands English. Ask me what I can do."),
         ("What are you doing?", 'I am carrying out "Go to the kitchen.".'),
         ("What did I say?", 'You said "Turn left.".'),
+        ("What did you say?", 'I said: "Which mug?"'),
+        ("Sorry, what?", 'I said: "Which mug?"'),
+        ("I didn't understand that.", 'I said: "Which mug?"'),
         ("What time is it?", "It is 14:05."),
         ("What's the time?", "It is 14:05."),
         ("What day is it?", "It is Sunday, 22 November 2026."),
@@ -286,3 +290,17 @@ def test_whoever_says_who_they_are_is_met(text: str, said: str, ident: str, pipe
 )
 def test_not_everybody_who_is_spoken_of_speaks(text: str, pipeline: Pipeline) -> None:
     assert BEING_NAMED not in [reading.unit.frame_name for reading in pipeline.understand(text).readings]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Where is the box?", "I know of no box but the toolbox, which is in the hall."),
+        ("Where is the toolbox?", "The toolbox is in the hall."),
+    ],
+)
+def test_thing_of_a_kind_may_not_be_the_one_that_is_meant(text: str, expected: str, pipeline: Pipeline) -> None:
+    world = "places:\n  hall:\nthings:\n  toolbox_1: {name: toolbox, category: box, in: hall}\n"
+    known = RobotKnowledge(snapshot("1", {one.id: one for one in load_world_file(world, "home.yaml")}))
+    (reading,) = pipeline.in_world(known.world).understand(text).readings
+    assert answer(reading.unit.frame_name, reading.arguments, known) == expected

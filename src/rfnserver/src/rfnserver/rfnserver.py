@@ -8,9 +8,9 @@ from rfnserver.goal_binding import Declaration
 from rfnserver.registration import RequestKind
 from rfnserver.ros_frame_adapter import FrameAdapter, FrameToGoal
 from rfnserver.ros_goal_messages import is_action_type
-from rfnserver.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
 from rfnserver.ros_registration import FrameCheck, Registration
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
+from roboframenet_ros.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
 from semantic_frames.server_statement import stated_profile
 
 FrameCallback = Callable[[TypedFrame], Any]

@@ -14,15 +14,17 @@ from roboframenet_msgs.msg import (
 )
 
 from rfnserver.rfnserver import _Registering
-from rfnserver.ros_quiet_action_server import QuietActionServer
 from rfnserver.ros_registration import Registration
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
+from roboframenet_ros.ros_quiet_action_server import QuietActionServer
 from semantic_frames.server_statement import stated_profile
 
 #: What holds is said again after this time, seconds: silence means that the source is dead.
 REPETITION_S = 1.0
 #: How often it is said within the time after which the source is dead.
 _REPETITIONS = 3.0
+#: So many conditions are repeated at a time: the queues of the topics of an action hold 50 messages.
+_MOST_REPEATED = 20
 #: A change is told with its own stamp for so long, ROS time.
 _FRESH = rospy.Duration(1)
 
@@ -155,8 +157,11 @@ class ConditionServer(_Registering, QuietActionServer):
                 if not watched:
                     self._is_asking = False
                     return
+            repeated = 0
             for goal_id, one in watched:
-                fault = self._tell(one)
+                said_s = one.said_s
+                fault = self._tell(one, may_repeat=repeated < _MOST_REPEATED)
+                repeated += one.said_s != said_s
                 if fault:
                     with self._condition:
                         is_mine = self._watched.pop(goal_id, None) is not None
@@ -165,7 +170,11 @@ class ConditionServer(_Registering, QuietActionServer):
             with self._condition:
                 self._condition.wait(self._period_s)
 
-    def _tell(self, watched: _Watched) -> str:
+    def _is_repetition_due(self, said_s: float, now_s: float) -> bool:
+        """Whether what was said is to be said again; all conditions are due together, so each process wakes up once."""
+        return int(now_s / self._repetition_s) > int(said_s / self._repetition_s)
+
+    def _tell(self, watched: _Watched, *, may_repeat: bool) -> str:
         """Publish whether a condition holds; returns why that cannot be told."""
         try:
             said = self._holds(watched.frame)
@@ -178,7 +187,7 @@ class ConditionServer(_Registering, QuietActionServer):
             return ""
         observed = said if isinstance(said, Observed) else Observed(bool(said), rospy.Time.now())
         now_s = time.monotonic()
-        if observed.holds is watched.holds and now_s - watched.said_s < self._repetition_s:
+        if observed.holds is watched.holds and not (may_repeat and self._is_repetition_due(watched.said_s, now_s)):
             return ""
         watched.holds, watched.said_s = observed.holds, now_s
         message: Any = self.ActionFeedback()

@@ -30,9 +30,9 @@ from rfnserver.registration import FrameFit, RequestKind
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
-from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
 from rfnserver.ros_registration import Registration, public_name
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
+from roboframenet_ros.ros_quiet_action_server import QuietSimpleActionServer
 from roboframenet_ros.ros_service import ServiceError, call_service
 from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 

@@ -88,6 +88,12 @@ class ConditionServerTest(unittest.TestCase):
         self.assertEqual([False], self.said(handle))
         self.end(handle)
 
+    def test_repeats_more_conditions_than_a_topic_keeps(self):
+        handles = [self.watch(f"door {number}") for number in range(60)]
+        wait_until(lambda: all(len(self.feedback_about(handle)) >= 3 for handle in handles))
+        self.assertEqual(60 * [[False]], [self.said(handle) for handle in handles])
+        self.end(*handles)
+
     def test_keeps_the_stamp_of_the_source(self):
         handle = self.watch("the attic")
         wait_until(lambda: bool(self.feedback_about(handle)))

@@ -33,9 +33,10 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameResponse,
 )
 
-from rfnserver import RFNServer, ros_quiet_action_server, ros_registration
+from rfnserver import RFNServer, ros_registration
 from rfnserver.registration import FrameFit, RequestKind
 from rfnserver.ros_registration import Registration
+from roboframenet_ros import ros_quiet_action_server
 from roboframenet_testing import wait_until
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_statement import stated_profile

@@ -1,35 +1,19 @@
 """A robot of a fleet in one process: what carries commands out, and the abilities and the simulation of a Turtlebot."""
 
 import argparse
-from typing import Callable, Tuple
+from typing import Tuple
 
 import rospy
 
 import arbitrator.node
 import command_server.ros_start
-import condition_watchers.node
 import executor.node
-import move_action_server.node
 import question_answering.node
 import roboframenet_sim.ros_turtlebot
 import robot_fleet.ros_member
 import standing_orders.node
-import turtlebot_follower.node
-from moo.node import MooServer
-from rfnserver.node import PingServer
+from roboframenet_bringup.ros_turtlebot_abilities import ABILITIES
 from roboframenet_ros.ros_node import HostedStage, run_stages
-from roboframenet_ros.ros_place import Place
-from utter.node import UtterServer
-
-
-def _hosted(name: str, make: Callable[[str], object]) -> HostedStage:
-    """Return a stage of a server that is made with the prefix of its parameters."""
-
-    def start(place: Place) -> object:
-        return make(place.private)
-
-    return HostedStage(name, start)
-
 
 #: Who must hear of a stop first starts first: rospy hands a message to the stages of a topic in this order.
 STAGES: Tuple[HostedStage, ...] = (
@@ -40,12 +24,7 @@ STAGES: Tuple[HostedStage, ...] = (
     HostedStage("standing_orders", standing_orders.node.start),
     HostedStage("fleet_member", robot_fleet.ros_member.start),
     HostedStage("turtlebot_sim", roboframenet_sim.ros_turtlebot.start),
-    HostedStage("move_action_server", move_action_server.node.start),
-    HostedStage("turtlebot_follower", turtlebot_follower.node.start),
-    HostedStage("condition_watchers", condition_watchers.node.ConditionWatchers),
-    _hosted("ping", lambda _: PingServer()),
-    _hosted("utter", UtterServer),
-    _hosted("moo", MooServer),
+    *ABILITIES,
 )
 
 

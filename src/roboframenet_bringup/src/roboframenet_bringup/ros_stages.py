@@ -10,6 +10,7 @@ import executor.node
 import frame_registrar.node
 import question_answering.node
 import semantic_framer.node
+import standing_orders.node
 import world_model.node
 from roboframenet_ros.ros_node import HostedStage, run_stages
 
@@ -22,6 +23,7 @@ STAGES = (
     HostedStage("semantic_framer", semantic_framer.node.start),
     HostedStage("world_model", world_model.node.start),
     HostedStage("question_answering", question_answering.node.start),
+    HostedStage("standing_orders", standing_orders.node.start),
 )
 
 

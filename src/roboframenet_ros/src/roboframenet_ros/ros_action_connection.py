@@ -1,12 +1,14 @@
 """The client of one action server of any type."""
 
 import threading
-from typing import Any, Callable, List
+import weakref
+from typing import Any, Callable, List, MutableMapping, NamedTuple, Tuple
 
 import actionlib
 import rosgraph.names
 import rospy
-from actionlib_msgs.msg import GoalID, GoalStatusArray
+from actionlib.action_client import CommStateMachine, GoalManager
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
 from roboframenet_ros.ros_master import is_process_gone
 
@@ -22,10 +24,58 @@ class SentGoal:
         self.goal_id = goal_id
 
 
-class _StampingClient(actionlib.ActionClient):
+class _Statuses(NamedTuple):
+    """What a goal reads of a ``GoalStatusArray``, which takes far longer to make."""
+
+    status_list: Tuple[GoalStatus, ...]
+
+
+class _GoalManager(GoalManager):
+    """Tells each goal what is said about it.
+
+    actionlib's manager gives each message to all goals, and each of them looks for itself in it: a status message of a
+    hundred goals is ten thousand comparisons.
+    """
+
+    def __init__(self, action_type: Any) -> None:
+        super().__init__(action_type)
+        self._by_id: MutableMapping[str, CommStateMachine] = weakref.WeakValueDictionary()
+
+    def init_goal(self, *args: Any, **kwargs: Any) -> actionlib.ClientGoalHandle:
+        """Send a goal, and follow it while its handle is kept."""
+        handle = super().init_goal(*args, **kwargs)
+        self._by_id[handle.comm_state_machine.action_goal.goal_id.id] = handle.comm_state_machine
+        return handle
+
+    def update_statuses(self, status_array: GoalStatusArray) -> None:
+        """Tell each goal its own status, or that it has none any more."""
+        by_id = {status.goal_id.id: status for status in status_array.status_list}
+        with self.list_mutex:
+            self.statuses = [known for known in self.statuses if known()]
+        for goal in self._get_live_statuses():
+            status = by_id.get(goal.action_goal.goal_id.id)
+            goal.update_status(_Statuses(() if status is None else (status,)))
+
+    def update_feedbacks(self, action_feedback: Any) -> None:
+        """Tell a goal its feedback."""
+        goal = self._by_id.get(action_feedback.status.goal_id.id)
+        if goal is None:
+            # It may be being sent just now.
+            super().update_feedbacks(action_feedback)
+        else:
+            goal.update_feedback(action_feedback)
+
+
+class _Client(actionlib.ActionClient):
     """Keeps the stamp of the last feedback, which actionlib does not pass on."""
 
     feedback_stamp = rospy.Time()
+
+    def __init__(self, server: str, action_type: Any) -> None:
+        super().__init__(server, action_type)
+        self.manager = _GoalManager(action_type)
+        self.manager.register_send_goal_fn(self.pub_goal.publish)
+        self.manager.register_cancel_fn(self.pub_cancel.publish)
 
     def _feedback_cb(self, msg: Any) -> None:
         # rospy calls this from one thread for each topic, and actionlib calls the callbacks of goals from here.
@@ -50,7 +100,7 @@ class ActionConnection:
             # rospy only warns of such a name, and then waits for a topic that cannot exist.
             raise ValueError("it is not a legal name")
         self.server = server
-        self._client = _StampingClient(server, action_type)
+        self._client = _Client(server, action_type)
         self._listeners: List[Callable[[], None]] = []
         self._sending = threading.Lock()
         self._status = rospy.Subscriber(

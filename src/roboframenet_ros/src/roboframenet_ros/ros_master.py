@@ -3,7 +3,7 @@
 import http.client
 import xmlrpc.client
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, Mapping, Tuple, Type
+from typing import FrozenSet, Mapping, Optional, Tuple, Type
 from xml.parsers.expat import ExpatError
 
 import rosgraph
@@ -49,13 +49,8 @@ class TimedMaster:
         self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=RememberingTransport(timeout_s))
         # What the master said last, and what was made of it.
         self._last: Tuple[object, SystemState] = (None, SystemState({}, {}))
-
-    def topic_types(self) -> Dict[str, str]:
-        """Return the type of each topic that the master knows, including topics of nodes that have ended."""
-        code, message, types = self._proxy.getTopicTypes(rospy.get_name())
-        if code != 1:
-            raise MasterError(str(message))
-        return dict(types)
+        self._typed: Optional[SystemState] = None
+        self._types: Mapping[str, str] = {}
 
     def system_state(self) -> SystemState:
         """Return the publishers and subscribers of all topics."""
@@ -70,6 +65,21 @@ class TimedMaster:
             )
             self._last = (state, made)
         return self._last[1]
+
+    def graph(self) -> Tuple[SystemState, Mapping[str, str]]:
+        """Return the system state, and the type of each topic that the master knows, also of nodes that have ended.
+
+        The same objects come again as long as the state is the same: a topic gets its type from a node that publishes
+        it or subscribes to it, so the types are asked for after a state that is new.
+        """
+        state = self.system_state()
+        if state is not self._typed:
+            self._typed = None
+            code, message, types = self._proxy.getTopicTypes(rospy.get_name())
+            if code != 1:
+                raise MasterError(str(message))
+            self._typed, self._types = state, dict(types)
+        return state, self._types
 
     def uri_of(self, node: str) -> str:
         """Return the address of a node."""

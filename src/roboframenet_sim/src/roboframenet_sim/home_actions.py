@@ -48,6 +48,7 @@ class Action:
         value: on, off, a setting, a treatment, a gesture
         amount: a height, a level, an angle; NaN for none
         tool: id of the tool that the robot holds
+        avoided: ids of rooms and doors that a way shall not lead through, with blanks between
     """
 
     kind: str
@@ -57,6 +58,7 @@ class Action:
     value: str = ""
     amount: float = math.nan
     tool: str = ""
+    avoided: str = ""
 
 
 @dataclass(frozen=True)

@@ -332,17 +332,21 @@ class Home:
         if action.kind == "face":
             self._driving = _Driving(action, [start], self._heading(target, start, [start]))
             return None
+        without = self.floor.borders(action.avoided.split())
         try:
             reach_m = self.plan.robot.reach_m - _SPARE_M if math.isnan(action.amount) else action.amount
             if target:
-                goal = self.floor.place_to_stand(self._state, target, reach_m=reach_m)
+                goal = self.floor.place_to_stand(self._state, target, reach_m=reach_m, without=without)
             else:
                 goal = _point_of(action.value)
-            corners = self.floor.way(self._state, start, goal)
+            corners = self.floor.way(self._state, start, goal, without=without)
         except Closed as closed:
             return Failure("closed", str(closed), closed.door)
         except (NoPath, ValueError) as error:
-            return Failure("no_way", f"I cannot get there: {error}.")
+            if not without:
+                return Failure("no_way", f"I cannot get there: {error}.")
+            avoided = " and ".join(self.plan.entities[one].the_name for one in action.avoided.split())
+            return Failure("no_way", f"I know no way there that avoids {avoided}.")
         self._driving = _Driving(action, corners, self._heading(target, goal, corners))
         return None
 

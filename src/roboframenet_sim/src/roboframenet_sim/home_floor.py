@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, FrozenSet, List, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Dict, FrozenSet, Iterable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -170,7 +170,22 @@ class Floor:
         """Whether the middle of the robot may be at a point."""
         return self.grid(self.closed_doors(state), self._plan.robot.radius_m - _MARGIN_M).is_free(x_m, y_m)
 
-    def way(self, state: State, start: Point, goal: Point, *, is_person: bool = False) -> List[Point]:
+    def borders(self, avoided: Iterable[str]) -> FrozenSet[str]:
+        """Return the doors and passages through which no way leads that avoids some rooms and doors."""
+        unwanted = frozenset(avoided)
+        return frozenset(
+            door.id for door in self._plan.of_kind("door") if door.id in unwanted or unwanted.intersection(door.rooms)
+        )
+
+    def way(
+        self,
+        state: State,
+        start: Point,
+        goal: Point,
+        *,
+        is_person: bool = False,
+        without: FrozenSet[str] = frozenset(),
+    ) -> List[Point]:
         """Return the corners of a short way.
 
         Args:
@@ -178,6 +193,7 @@ class Floor:
             start: of the way
             goal: its end
             is_person: who goes
+            without: doors and passages that it does not lead through, see :meth:`borders`
         Raises:
             Closed: only a closed door is in the way
             NoPath: there is no way
@@ -187,11 +203,11 @@ class Floor:
         if is_person:
             closed = frozenset(door for door in closed if state.is_(door, "is_locked"))
         try:
-            return plan(self.grid(closed, radius_m), start=start, goal=goal, escape_m=ESCAPE_M)
+            return plan(self.grid(closed | without, radius_m), start=start, goal=goal, escape_m=ESCAPE_M)
         except NoPath:
-            if not closed:
+            if not closed - without:
                 raise
-        corners = plan(self.grid(frozenset(), radius_m), start=start, goal=goal, escape_m=ESCAPE_M)
+        corners = plan(self.grid(without, radius_m), start=start, goal=goal, escape_m=ESCAPE_M)
         for begin, end in zip(corners, corners[1:]):
             crossed = [door for door in sorted(closed) if self.leads_through(door, begin, end)]
             if crossed:
@@ -206,7 +222,14 @@ class Floor:
         return _crosses(begin, end, np.array([self._leaf(door)]))
 
     def place_to_stand(
-        self, state: State, target: str, *, reach_m: float, start: Optional[Point] = None, is_person: bool = False
+        self,
+        state: State,
+        target: str,
+        *,
+        reach_m: float,
+        start: Optional[Point] = None,
+        is_person: bool = False,
+        without: FrozenSet[str] = frozenset(),
     ) -> Point:
         """Return a free point beside an entity from which it can be reached.
 
@@ -216,17 +239,18 @@ class Floor:
             reach_m: largest distance from the entity
             start: where to come from; None: where the robot is
             is_person: who will stand there
+            without: doors and passages that the way there does not lead through
         Raises:
             NoPath: there is none
         """
         entity = self._plan.entities.get(target)
-        closed = self.closed_doors(state)
+        closed = self.closed_doors(state) | without
         grid = self.grid(closed, PERSON_RADIUS_M if is_person else self._plan.robot.radius_m)
         rows, columns = np.nonzero(~grid.is_taken)
         x = grid.origin_x_m + (columns + 0.5) * grid.resolution_m
         y = grid.origin_y_m + (rows + 0.5) * grid.resolution_m
         begin = start or self._plan.position(state, ROBOT)
-        can_get_there = self._is_connected(frozenset(), begin, is_person=is_person)[rows, columns]
+        can_get_there = self._is_connected(without, begin, is_person=is_person)[rows, columns]
         is_on_this_side = self._is_connected(closed, begin, is_person=is_person)[rows, columns]
         if entity is not None and entity.kind == "room":
             centre = entity.centre

@@ -114,15 +114,14 @@ def port(text: str) -> Ported:
     except ValueError as error:
         raise PortError(f"this is no Python source ({error}); nothing is changed") from error
     names = _imported_names(tree)
-    # Classes inside classes find the same expression more than once.
-    sites = sorted(
-        {site.expression: site for site in _sites(tree, names)}.values(),
-        key=lambda site: (site.expression.lineno, site.expression.col_offset),
-    )
+    sites = sorted(_sites(tree, names), key=lambda site: (site.expression.lineno, site.expression.col_offset))
     if not sites:
         if any(_resolve(node, names) in _RFN_NAMES for node in ast.walk(tree) if isinstance(node, ast.expr)):
             raise AlreadyPorted("its servers are RFNServers already; there is nothing to change")
-        raise PortError("it does not make an action server of actionlib; there is nothing to change")
+        raise PortError(
+            "it does not make an action server of actionlib; there is nothing to change ('rfn bind' makes a running "
+            "server follow commands as it is)"
+        )
     lines = _LINE.findall(text)
     module, insert_at = _module_name(tree, sites[0].expression.lineno)
     for site in reversed(sites):
@@ -200,32 +199,33 @@ def _resolve(node: Optional[ast.AST], names: Dict[str, str]) -> str:
 
 
 def _sites(tree: ast.Module, names: Dict[str, str]) -> Iterator[Site]:
-    """Return every place where an action server of actionlib is made, inherited from or renamed."""
+    """Return every place that uses the class of an action server of actionlib: a call, a base, a default, an alias.
 
-    def site(expression: ast.expr, server: str = "") -> Iterator[Site]:
-        name = _PORTED_NAMES.get(_resolve(expression, names))
-        if name is not None:
-            yield Site(expression, name, server)
-
-    servers = {
+    An annotation and a test of the class stay as they are: they hold for its subclasses as well.
+    """
+    servers: Dict[ast.AST, str] = {
         node.value: _dotted(node.target if isinstance(node, ast.AnnAssign) else node.targets[0])
         for node in ast.walk(tree)
         if isinstance(node, (ast.Assign, ast.AnnAssign)) and node.value is not None
     }
-    for value in servers:
-        yield from site(value)
+    made = {node.func: servers.get(node, "") for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    bases = {base: "self" for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for base in node.bases}
+    kept = {id(inner) for told in _class_tests(tree) for inner in ast.walk(told)}
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call):
-            yield from site(node.func, servers.get(node, ""))
-        elif isinstance(node, ast.ClassDef):
-            bases = [found for base in node.bases for found in site(base, "self")]
-            yield from bases
-            if not bases:
-                continue
-            # SimpleActionServer.__init__(self, ...) must become that of the new base.
-            for inner in ast.walk(node):
-                if isinstance(inner, ast.Attribute):
-                    yield from site(inner.value)
+        name = _PORTED_NAMES.get(_resolve(node, names))
+        if name is not None and isinstance(node, ast.expr) and id(node) not in kept:
+            yield Site(node, name, made.get(node) or bases.get(node, ""))
+
+
+def _class_tests(tree: ast.Module) -> Iterator[ast.expr]:
+    """Return the annotations, and the calls of ``isinstance`` and ``issubclass``."""
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.AnnAssign, ast.arg)) and node.annotation is not None:
+            yield node.annotation
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.returns is not None:
+            yield node.returns
+        elif isinstance(node, ast.Call) and _dotted(node.func) in ("isinstance", "issubclass"):
+            yield node
 
 
 def _module_name(tree: ast.Module, first_line: int) -> Tuple[str, Optional[int]]:

@@ -155,6 +155,20 @@ def test_several_servers_on_lines_of_their_own_and_of_one_line():
     assert ported.servers == ("a", "b", "self.c")
 
 
+def test_class_that_is_passed_on():
+    source = (
+        "from functools import partial\nimport actionlib\n\n\n"
+        "def make(kind=actionlib.SimpleActionServer):\n    return kind('a', A, auto_start=False)\n\n\n"
+        "make_b = partial(actionlib.SimpleActionServer, 'b', B)\nkinds = {'plain': actionlib.ActionServer}\n"
+    )
+    assert changed(source, port(source).text)[1] == [
+        "import rfnserver",
+        "def make(kind=rfnserver.RFNServer):",
+        "make_b = partial(rfnserver.RFNServer, 'b', B)",
+        "kinds = {'plain': rfnserver.RFNActionServer}",
+    ]
+
+
 def test_expression_over_several_lines():
     source = "import actionlib\ns = (actionlib\n     .SimpleActionServer)('a', A)\nt = 1\n"
     assert port(source).text == "import actionlib\nimport rfnserver\ns = (rfnserver.RFNServer)('a', A)\nt = 1\n"

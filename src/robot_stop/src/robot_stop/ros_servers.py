@@ -7,7 +7,7 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
-from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_ros.ros_master import SystemState, TimedMaster
 from robot_stop.braking import LiveGoal, StopOrder
 from robot_stop.servers import Server, find_servers
 
@@ -86,6 +86,8 @@ class Servers:
         self._registered: FrozenSet[str] = frozenset()
         # Replaced as a whole, never modified: a stop reads it without a lock.
         self._connections: Mapping[Server, _Connection] = {}
+        # What the servers were found in: while it is the same, so are they.
+        self._found_in: Optional[Tuple[SystemState, FrozenSet[str]]] = None
         self._looked_s: Optional[float] = None
         self._is_closing = threading.Event()
         self._wake = threading.Event()
@@ -140,10 +142,14 @@ class Servers:
             self._wake.clear()
 
     def _refresh(self) -> None:
+        registered = self._registered
+        state, types = self._master.graph()
+        if self._found_in is not None and state is self._found_in[0] and registered == self._found_in[1]:
+            return
         servers = find_servers(
-            self._master.topic_types(),
-            self._master.system_state().subscribers,
-            registered=self._registered,
+            types,
+            state.subscribers,
+            registered=registered,
             others=self._also_cancel,
             namespace=rospy.get_namespace(),
         )
@@ -155,6 +161,7 @@ class Servers:
             kept[server] = _Connection(server)
             rospy.loginfo("a stop can cancel %s", server.name)
         self._connections = kept
+        self._found_in = (state, registered)
         if self._looked_s is None:
             self._looked_s = time.monotonic()
         for connection in dropped:

@@ -9,8 +9,8 @@ import re
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, unit_argument
-from semantic_framer.dialogue import LastCommand
+from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, resolved, unit_argument
+from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -323,8 +323,15 @@ class _Amending:
         return ()
 
     def _resolved(self, argument: TypedArgument) -> TypedArgument:
+        """Return an argument with what "one" or "it" in it stands for: what was said for its element before."""
         before = self._reading.argument(argument.name)
-        return argument if before is None or argument.head.lower() not in ONES else of_same_kind(argument, before)
+        if before is None:
+            return argument
+        if argument.head.lower() in ONES:
+            return of_same_kind(argument, before)
+        # "Put the box on the table." "No, under it.": the table, because nothing is under itself.
+        is_place = argument.relation and argument.text.lower() in PRONOUNS - DEMONSTRATIVES
+        return resolved(argument, before.text) if is_place else argument
 
     def _has_unlisted(self, sentence: Sentence, reading: Reading) -> bool:
         """Whether an argument has more words than the unit lists for its element: "slowly and the cat"."""

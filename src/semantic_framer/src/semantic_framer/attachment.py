@@ -5,6 +5,8 @@ for it.
 from typing import AbstractSet, Collection, Container, FrozenSet, List, Sequence, Tuple
 
 from semantic_frames.extra_thematic import is_of_every_action
+from semantic_frames.lexical_unit import LexicalUnit
+from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -93,20 +95,31 @@ def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) 
     )
 
 
-def persons_behind(tree: DependencyTree, verb: int, preposition: str) -> Tuple[int, ...]:
-    """Return a pronoun for a person at the end of a description that the parser attached to a noun in it: "describe the
-    man sitting at the table *to me*"; no table is to anybody.
+def persons_behind(tree: DependencyTree, verb: int, preposition: str, *, is_needed: bool = False) -> Tuple[int, ...]:
+    """Return a person at the end of a description that the parser attached to a noun in it: "describe the man sitting
+    at the table *to me*", "... lying at the exit *to the person at the bar*"; no place is to anybody.
+
+    A place may be meant only if the verb needs one: "lead the man dressed in a coat in the hall *to the exit*".
 
     Args:
         tree: the sentence
         verb: of the description
-        preposition: of the pronoun
+        preposition: of the person
+        is_needed: whether the verb of the sentence lacks something without such a phrase
     """
     last = max(tree.subtree(verb))
-    word = tree.word(last)
-    has_preposition = any(c.deprel == "case" and c.form.lower() == preposition for c in tree.children(last))
-    is_person = word.form.lower() in _SPEAKERS and bool(word.head) and tree.word(word.head).upos == "NOUN"
-    return (last,) if is_person and has_preposition else ()
+    found = []
+    for index in sorted(tree.subtree(verb)):
+        word = tree.word(index)
+        governor = tree.word(word.head) if word.head else word
+        has_preposition = any(c.deprel == "case" and c.form.lower() == preposition for c in tree.children(index))
+        is_end = has_preposition and max(tree.subtree(index)) == last and governor.upos == "NOUN"
+        is_speaker = word.form.lower() in _SPEAKERS
+        # "The man reading the letter to the nurse": the letter may be to her.
+        is_of_place = governor.index != verb and governor.deprel in ("obl", "nmod") and not is_person(governor)
+        if is_end and (is_speaker or (is_of_place and preposition == "to" and (is_needed or is_person(word)))):
+            found.append(index)
+    return tuple(found[-1:])
 
 
 def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:
@@ -161,10 +174,22 @@ def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]
     )
 
 
-def nouns_behind_particle(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
-    """Return the noun that the parser takes for a place behind a particle of the verb: "plug in *the charger*"."""
+def objects_elsewhere(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
+    """Return nouns that the parser takes for something else than the object of a verb: for a place behind a particle of
+    the verb ("plug in *the charger*"), or for somebody who is spoken to ("spot *Ali*, ...") though no pause is before
+    the name.
+
+    Args:
+        tree: the sentence
+        verb: positions of the verb and its particles
+    """
     particles = [tree.word(index) for index in verb[1:]]
-    return [one.head for one in particles if one.deprel == "case" and tree.word(one.head).deprel == "obl"]
+    found = [one.head for one in particles if one.deprel == "case" and tree.word(one.head).deprel == "obl"]
+    behind = max(verb) + 1
+    children = tree.children(verb[0])
+    if not any(child.deprel in ("obj", "iobj") for child in children):
+        found += [one.index for one in children if one.deprel == "vocative" and min(tree.subtree(one.index)) == behind]
+    return found
 
 
 def is_all_at_first_of_two_places(tree: DependencyTree, noun: int) -> bool:
@@ -184,3 +209,17 @@ def is_part_of_used_name(tree: DependencyTree, index: int, used: Container[int])
     word = tree.word(index)
     # A number is not part of a name: "five foot thirteen" must not become five feet.
     return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
+
+
+def listed_particle(tree: DependencyTree, unit: LexicalUnit, name: str, verb: Sequence[int]) -> int:
+    """Return the particle of a verb that a unit lists for an element, too, whatever the parser takes it for: "on" in
+    "turn on the light"; 0 for none.
+
+    Args:
+        tree: the sentence
+        unit: the lexical unit
+        name: of the element
+        verb: positions of the words of the verb
+    """
+    words = {word for one in unit.relations if one.name == name for word in one.words}
+    return next((index for index in verb[1:] if tree.word(index).form.lower() in words), 0)

@@ -408,7 +408,7 @@ class _Finder:
         """Whether a joiner begins a condition: "*if you can't* find my keys", but not "if you can't, wait"."""
         behind = self.words[place + length : place + length + 1]
         inside = self.words[place : place + length]
-        return any(word.deprel == "aux" and word.head == verb.index for verb in behind for word in inside)
+        return any(word.deprel in ("aux", "cop") and word.head == verb.index for verb in behind for word in inside)
 
     def _is_front(self, place: int) -> bool:
         before = self.words[place - 1] if place else None

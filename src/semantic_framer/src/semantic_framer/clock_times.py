@@ -17,6 +17,7 @@ _BEFORE_NOON = word_class("before_noon")
 _AFTER_NOON = word_class("after_noon")
 _O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
 _PAST, _TO = word_class("minutes_after"), word_class("minutes_before")
+_EXACT = word_class("exact_times")
 _HALF, _QUARTER, _MINUTES = word_class("half_hours"), word_class("quarter_hours"), word_class("minute_words")
 _NOON, _MIDNIGHT = word_class("names_of_noon"), word_class("names_of_midnight")
 _TODAY, _TOMORROW, _TONIGHT = (
@@ -81,6 +82,8 @@ def clock_time_at(forms: Sequence[str]) -> Optional[ClockTime]:
             break
         clock, length = found
         place += length
+        if place < len(forms) and forms[place] in _EXACT and clock.hour is not None:
+            place += 1
     if not place:
         return None
     words = " ".join(forms[:place])

@@ -251,7 +251,8 @@ def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
 
 def _stands_before_a_state(sentence: Sentence, word: Word) -> bool:
     """Whether a clitic that the parser takes for a possessive means "is": "the light's on"."""
-    behind = sentence.tree.words[word.index : word.index + 1]
+    said = sentence.tree.words[word.index : word.index + 2]
+    behind = [one for one in said if one.form.lower() not in _PADDING][:1]
     return bool(behind) and (behind[0].upos == "ADJ" or behind[0].form.lower() in _STATES)
 
 

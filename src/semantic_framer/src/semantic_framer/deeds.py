@@ -6,9 +6,11 @@ from semantic_framer.outcome import REPORT, Refusal
 from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
 from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict
 from semantic_framer.verdicts import Case
+from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from word_classes import word_class
 
+_HEARERS = word_class("hearers")
 _WANTING = word_class("wanting_verbs")
 
 
@@ -32,7 +34,7 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
     found: List[ClauseReadings] = []
     has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
     for clause, kind in zip(case.clauses, case.kinds):
-        is_read = kind.is_read or clause.is_negated
+        is_read = kind.is_read or (clause.is_negated and not _is_reason(case, clause))
         read = readings_of_clause(case, clause, trace) if is_read else None
         is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
         if read is not None and not (is_told and case.is_background(clause)):
@@ -40,6 +42,14 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
         elif trace is not None:
             trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
     return tuple(found)
+
+
+def _is_reason(case: Case, clause: Clause) -> bool:
+    """Whether a negated clause gives the reason for a later command, and forbids nothing: "*I can't reach it*, get it
+    for me"."""
+    subject = case.sentence.word(clause.subject).form.lower() if clause.subject else ""
+    is_before = clause.verb < max((one.verb for one, kind in zip(case.clauses, case.kinds) if kind.acts), default=0)
+    return is_before and bool(subject) and subject not in _HEARERS and case.is_background(clause)
 
 
 def _refusal(verdicts: Sequence[SentenceVerdict], case: Case, trace: Optional[Trace]) -> Optional[Refusal]:

@@ -297,8 +297,12 @@ class _Hearing:
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
             if joints.found or is_lost:
                 return read_linked(sentence, context, self._now, swallowed, joints) or refused
-            words = swallowed_words(sentence, known, best)
-            if words:
-                return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
-            return heard
-        return read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
+        else:
+            heard = read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
+            if not isinstance(heard.outcome, Understood):
+                return heard
+            best = [readings[0] for readings in heard.outcome.clauses]
+        words = swallowed_words(sentence, known, best)
+        if words:
+            return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
+        return heard

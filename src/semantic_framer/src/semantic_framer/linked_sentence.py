@@ -6,6 +6,7 @@ from typing import Optional, Sequence, Tuple, Union
 from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import Joints, condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
+from semantic_framer.clock_times import clock_time_at
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
@@ -47,6 +48,9 @@ _STOPPING = "Halt"
 _ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
 #: Behind them, a time says which order is meant: "forget the alarm at seven".
 _BACK = word_class("verbs_of_taking_back")
+_FINITE = frozenset(["VBZ", "VBP", "VBD"])
+_OTHERWISE = (LinkKind.OTHERWISE, LinkKind.OR_ELSE)
+_EACH, _HEARERS = frozenset(["every", "each"]), word_class("hearers")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
@@ -249,18 +253,28 @@ def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence
             if element is not None and element.framenet == MESSAGE:
                 # "Tell everyone *who asks* that I am at lunch" is no message.
                 before = sentence.word(words[0].index - 1).form.lower() if words and words[0].index > 1 else ""
+                joiner, _ = shipped_links().joiner_at(forms)
+                if joiner is not None and joiner.kind in _OTHERWISE:
+                    return sentence.text([word.index for word in words])  # "Tell him, *if not, tell Anna*."
                 if before in _MANY and forms[0] in _WHO:
                     return sentence.text([word.index for word in words])
                 continue
             for place in range(2, len(words)):
-                is_person = forms[place - 2] in _MANY and forms[place - 1] in _WHO
+                is_person = _are_many(forms[:place]) and forms[place - 1] in _WHO
+                if forms[place - 2] in _MANY and forms[place - 1] in _HEARERS and words[place].upos == "VERB":
+                    return sentence.text([word.index for word in words[place - 1 :]])  # "Everyone *you meet*."
                 if is_person and (_is_deed(words[place]) or set(forms[place + 1 : place + 2]) & _DOWNWARD):
                     return sentence.text([word.index for word in words[place - 1 :]])
             for place in range(1, len(words)):
                 joiner, _ = shipped_links().joiner_at(forms[place:])
-                if joiner is not None and joiner.kind in (LinkKind.OTHERWISE, LinkKind.OR_ELSE):
+                if joiner is not None and joiner.kind in _OTHERWISE:
                     return sentence.text([word.index for word in words[place:]])
     return ""
+
+
+def _are_many(forms: Sequence[str]) -> bool:
+    """Whether words before "who" mean each of many: "everybody who", "every guest who"."""
+    return forms[-2] in _MANY or (len(forms) > 2 and forms[-3] in _EACH)
 
 
 def _is_deed(word: Word) -> bool:
@@ -290,7 +304,7 @@ def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequenc
             if element is None or element.framenet != MESSAGE or len(argument.positions) < 2:
                 continue
             words = [sentence.word(index) for index in sorted(argument.positions)]
-            place = _condition_behind(words)
+            place = _condition_behind(words) or _time_behind(sentence, words)
             if place and not _is_marked(sentence, words[-1].index):
                 said = sentence.text([word.index for word in words[place:]]).strip(" ,.!?")
                 return Question("AMBIGUOUS", which_of_it(said))
@@ -308,6 +322,18 @@ def _condition_behind(words: Sequence[Word]) -> int:
         is_between = bool(verbs) and 0 < place < verbs[-1]
         is_link = word.upos == "SCONJ" or word.xpos == "WRB"
         if is_between and is_link and shipped_links().link_at(forms[place:])[1]:
+            return place
+    return 0
+
+
+def _time_behind(sentence: Sentence, words: Sequence[Word]) -> int:
+    """Return the place of a time at the end of a message without a verb: "good night *at ten pm*"; 0 for none."""
+    if any(word.upos == "AUX" or word.xpos in _FINITE for word in words):
+        return 0
+    forms = [word.form.lower() for word in words]
+    for place in range(1, len(words)):
+        clock = clock_time_at(forms[place:])
+        if clock is not None and clock.when is not None and place + clock.length == len(words):
             return place
     return 0
 

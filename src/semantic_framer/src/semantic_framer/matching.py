@@ -16,7 +16,8 @@ from semantic_framer.attachment import (
     is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
-    nouns_behind_particle,
+    listed_particle,
+    objects_elsewhere,
     persons_behind,
     places_before,
     words_before,
@@ -30,6 +31,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
 from semantic_framer.unit_trace import write_unit
+from semantic_framer.word_patterns import argument_of
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
@@ -45,8 +47,6 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
-#: What a unit asks for must be the usual sense of the words, or they must have no type.
-_MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 #: Relations of a goal: a place that the world makes one may have any preposition.
 _TOWARDS = frozenset(["prep_to", "prep_into", "prep_onto"])
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
@@ -278,7 +278,7 @@ class _Filling:
             for governor in governors:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
-                    found += nouns_behind_particle(self._sentence.tree, self._match.positions) if step == "dobj" else []
+                    found += objects_elsewhere(self._sentence.tree, self._match.positions) if step == "dobj" else []
                     found += self._reattached(path.preposition, is_core)
                     goals = self._sentence.goals if step in _TOWARDS else ()
                     if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
@@ -302,7 +302,7 @@ class _Filling:
                 if inner.deprel == "nmod" and inner.index > noun:
                     found += below
                 if inner.deprel == "acl":
-                    found += persons_behind(self._sentence.tree, inner.index, preposition)
+                    found += persons_behind(self._sentence.tree, inner.index, preposition, is_needed=is_core)
                     found += behind_description(self._sentence.tree, inner.index, below)
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
@@ -361,6 +361,10 @@ class _Filling:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
                 attached = (self._listed[element.name] - {head}) | behind | before
                 found.append(self._sentence.phrases.argument(element.name, head, relation.argument, left_out, attached))
+            elif (
+                particle := listed_particle(self._sentence.tree, self._unit, element.name, self._match.positions)
+            ) > 0:
+                found.append(argument_of(self._sentence, element.name, [particle]))
             elif element.default and not self._is_said_otherwise(element):
                 found.append(default_argument(element.name, element.default))
             elif element.default:

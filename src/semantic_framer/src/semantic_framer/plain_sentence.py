@@ -12,10 +12,12 @@ from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
+from semantic_framer.references import thing_told
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.small_talk import answer_small_talk, small_talk_of
+from semantic_framer.things_asked_for import as_said, asked_for
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
 from utterance_passes.clauses import find_clauses
@@ -41,6 +43,13 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
         return Heard(*_changed(change, sentence, context, now), sentence)
+    wanted = asked_for(sentence, clauses_of_tree, now.known)
+    if wanted is not None:
+        now.write("things_asked_for", sentence.tree.text, wanted.tree.text)
+        heard = read_plain(wanted, context, now)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=as_said(heard.outcome), sentence=sentence)
+        return heard
     known, policy = now.known, now.policy
     case = case_of(sentence, found_clauses(sentence, clauses_of_tree, known, now.trace), known, policy)
     if now.trace is not None:
@@ -59,6 +68,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         now.write("choices", offered, "asked. The person left it open.")
         return Heard(*ask_which(choices, context, now), sentence, clauses)
     kept = tuple(read.kept for read in clauses)
+    read_ones = [read.clause for read in clauses]
+    thing = thing_told(sentence, (clause for clause in case.clauses if clause not in read_ones))
+    context = replace(context, thing=thing) if thing else context
     outcome, context = resolve_and_confirm(kept, sentence, context, now)
     words = words_outside(sentence, case.clauses)
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

@@ -25,6 +25,7 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING = word_class("placing_prepositions")
 _QUESTION_WORDS = word_class("question_words")
+_SHARES = frozenset(["percent", "%"])
 _SIDES = word_class("sides")
 
 
@@ -96,8 +97,17 @@ def is_asked_about_elsewhere(filled: Filled) -> bool:
 
 
 def is_numbered_place(filled: Filled) -> bool:
-    """Whether a number is taken for the place of something: "set the vase to 20"."""
-    if not filled.roles & PLACES or filled.head.upos != "NUM":
+    """Whether a number is taken for the place of something: "set the vase to 20", or for a part of the place behind it:
+    "go on three hundred to the door"."""
+    children = filled.tree.children(filled.head.index)
+    cases = [child.index for child in children if child.deprel == "case"]
+    first = min(cases, default=0)
+    if filled.roles & PLACES and any(child.deprel == "nummod" and child.index < first for child in children):
+        return True
+    is_share = filled.head.lemma.lower() in _SHARES and any(
+        child.deprel == "nummod" for child in filled.tree.children(filled.head.index)
+    )
+    if not filled.roles & PLACES or not (filled.head.upos == "NUM" or is_share):
         return False
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
@@ -127,7 +137,7 @@ def is_two_phrases(filled: Filled) -> bool:
     if any(word.upos in ("VERB", "AUX") for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
         return False
     return any(
-        word.upos in ("NOUN", "PROPN", "NUM")
+        word.upos in ("NOUN", "PROPN", "NUM", "ADJ")
         and word.form.lower() not in _BEFORE_DETERMINERS
         and following.index == word.index + 1
         and following.head != word.index

@@ -18,11 +18,22 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import Word
 from word_classes import word_class
 
+
+def _phrases(*classes: str) -> Tuple[Tuple[str, ...], ...]:
+    """Return the words of the phrases of word classes, the longest phrase first."""
+    phrases = {tuple(phrase.split()) for name in classes for phrase in word_class(name)}
+    return tuple(sorted(phrases, key=lambda words: (-len(words), words)))
+
+
 _PADDING = word_class("question_padding")
-_ENDINGS = tuple(tuple(ending.split()) for ending in sorted(word_class("question_endings")))
+_COURTESIES = _phrases("question_courtesies")
+_ENDINGS = _phrases("question_endings", "question_courtesies")
+_EXPLETIVES = _phrases("question_expletives")
+_ASKING = word_class("question_words")
 _NEGATIONS = word_class("negations")
+_DETERMINERS = word_class("determiners")
 #: Spellings that patterns do not have, if the word is a verb.
-_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would"}
+_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would", "ca": "can", "wo": "will"}
 _NOT = "n't"
 
 
@@ -34,8 +45,11 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     words = _words(case.sentence)
     length = length_of_opening([_spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
+    spoken = {word.index for word in words}
+    # "Excuse me" is no command in front of a question.
+    acts = any(kind.acts and clause.verb in spoken for clause, kind in zip(case.clauses, case.kinds))
     # "Can you see Bob in the hall?" begins like a request, and asks.
-    if length or (not case.acts and _is_question(case)):
+    if length or (not acts and _is_question(case)):
         orders.append(tuple(words))
     return _readings(case, orders)
 
@@ -109,15 +123,31 @@ def _words(sentence: Sentence) -> List[Word]:
     tree = sentence.tree
     hidden = tree.abandoned | tree.fillers
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
-    while words and words[0].form.lower() in _PADDING:
-        words.pop(0)
     while words:
-        forms = tuple(word.form.lower() for word in words)
-        ending = next((one for one in _ENDINGS if forms[-len(one) :] == one), ())
-        if not ending and forms[-1] not in _PADDING:
+        forms = [word.form.lower() for word in words]
+        in_front = _length_in_front(forms)
+        behind = 0 if in_front else _length_behind(forms)
+        if not in_front and not behind:
             break
-        del words[-len(ending or forms[-1:]) :]
+        words = words[in_front : len(words) - behind]
+    if len(words) > 1 and words[0].form.lower() in _ASKING:
+        forms = [word.form.lower() for word in words[1:]]
+        del words[1 : 1 + next((len(one) for one in _EXPLETIVES if tuple(forms[: len(one)]) == one), 0)]
     return words
+
+
+def _length_in_front(forms: Sequence[str]) -> int:
+    """Return the number of words that stand in front of a question: 2 for "excuse me, where is the mug"."""
+    found = next((len(one) for one in _COURTESIES if tuple(forms[: len(one)]) == one), 0)
+    return found or int(forms[0] in _PADDING)
+
+
+def _length_behind(forms: Sequence[str]) -> int:
+    """Return the number of words that stand behind a question: 2 for "is the lamp on right now"."""
+    found = next((len(one) for one in _ENDINGS if tuple(forms[-len(one) :]) == one), 0)
+    # "Are you a robot?" does not speak to a robot: nobody who is spoken to has an article.
+    is_noun = len(forms) > 1 and forms[-2] in _DETERMINERS
+    return found or int(forms[-1] in _PADDING and not is_noun)
 
 
 def _read(

@@ -1,14 +1,17 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Mapping, Union
+from typing import Iterable, Mapping, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
 from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import TypedArgument
+from utterance_passes.clauses import Clause
+from utterance_passes.persons import is_person
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
@@ -57,6 +60,23 @@ def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, 
             value = resolved(value, other.text)
         values.append(value)
     return replace(reading, arguments=tuple(values))
+
+
+def thing_told(sentence: Sentence, told: Iterable[Clause]) -> str:
+    """Return the only thing that statements around a command are about, which a pronoun of the command stands for: "I
+    can't reach *the biscuits*, get them for me". Empty if there is none, or more than one.
+
+    Args:
+        sentence: the sentence
+        told: its clauses that ask for nothing
+    """
+    things = [
+        word.index
+        for clause in told
+        for word in sentence.tree.children(clause.verb)
+        if word.deprel.split(":")[0] in ("nsubj", "obj") and word.upos == "NOUN" and not is_person(word)
+    ]
+    return sentence.text(sorted(sentence.subtree(things[0]))) if len(things) == 1 else ""
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:

@@ -1,7 +1,7 @@
 """Verdicts that refuse a whole sentence: each has a name and a reason, and they run in a fixed order."""
 
 from dataclasses import dataclass
-from typing import Callable, Iterable, Optional, Tuple
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import CAREFUL, Refusal, left_over_refusal, not_then
@@ -75,10 +75,22 @@ def _told_inside(case: Case) -> Optional[Refusal]:
 
 
 def _outside(case: Case) -> Optional[Refusal]:
-    words = words_outside(case.sentence, case.clauses)
+    told = frozenset().union(*(_told_above(case, clause) for clause in case.clauses))
+    words = [index for index in words_outside(case.sentence, case.clauses) if index not in told]
     if words and case.policy.left_over_words in CAREFUL:
         return left_over_refusal(case.sentence, words)
     return None
+
+
+def _told_above(case: Case, clause: Clause) -> FrozenSet[int]:
+    """Return the words above a clause that tells the reason for a command: "*the dog needs* to go out, open the
+    door"."""
+    tree = case.sentence.tree
+    verb = tree.word(clause.verb)
+    if verb.deprel != "xcomp" or case.kind_of(clause).acts or not case.is_background(clause):
+        return frozenset()
+    acting = (tree.subtree(one.verb) for one in case.clauses if case.kind_of(one).acts)
+    return frozenset(tree.subtree(verb.head)).difference(*acting)
 
 
 def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, ...]:

@@ -218,7 +218,8 @@ class _Front:
         if said[start] in _SUBORDINATING - {"why"} and following not in _AUXILIARIES | _BE | {"BE", "PAST"}:
             # "Where the counter is" describes a place; "where is the counter" asks.
             return KindVerdict(UtteranceKind.REPORT, "subordinate_clause", " ".join(said))
-        is_inverted = following in _SUBJECTS | {"not"}
+        # "Is not the window closed" asks; "the window is not closed" does not.
+        is_inverted = following in _SUBJECTS or (following == "not" and "NP" not in said[:start])
         is_statement = "NP" in said[:start] and said[start] in _AUXILIARIES | _BE and not is_inverted
         return self._by_rules((["NP"] if is_statement else []) + said[start:])
 

@@ -48,7 +48,7 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
         ("make a right at the end of the corridor", "LEFT_OVER_WORDS"),
         ("move a little bit closer to the table", "LEFT_OVER_WORDS"),
         ("where did you go", "QUESTION"),
-        ("are you there", "QUESTION"),
+        ("are you tall", "QUESTION"),
         ("is the door heavy to open", "QUESTION"),
         ("what did the table cost", "QUESTION"),
         ("would you be happy", "QUESTION"),

@@ -45,8 +45,10 @@ def test_no_other_module_builds_one() -> None:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Sentence"
     }
-    # Links are set aside, a fragment is read behind the last verb, what the robot knows attaches places otherwise.
-    assert builders == {"framer.py", "linked_sentence.py", "amending.py", "sentence.py", "beginnings.py"}
+    # Links are set aside, a fragment is read behind the last verb, "coffee please" behind a verb of its own, and what
+    # the robot knows attaches places otherwise.
+    changing = {"linked_sentence.py", "amending.py", "beginnings.py", "things_asked_for.py"}
+    assert builders == {"framer.py", "sentence.py"} | changing
 
 
 def test_a_sentence_is_a_view_of_its_tree(parser: Any) -> None:

@@ -89,11 +89,12 @@ class StandingOrdersNode:
     Actions: ``standing_orders_server``. Parameters: see :class:`standing_orders.settings.Settings`.
     """
 
-    def __init__(self, settings: Settings, *, robot: str = "") -> None:
+    def __init__(self, settings: Settings, *, robot: str = "", private: str = "~") -> None:
         """
         Args:
             settings: of the node
             robot: whose orders these are; empty for the only robot
+            private: prefix of its private names
 
         Raises:
             ParameterError: there is no such time zone
@@ -133,6 +134,7 @@ class StandingOrdersNode:
             retry_s=settings.retry_s,
             silence_s=settings.silence_s,
             max_clients=_MAX_CLIENTS,
+            private=private,
         )
         self._server = RFNServer("standing_orders_server", self._on_request)
         self._worker = threading.Thread(target=self._work, name="standing_orders")
@@ -169,7 +171,9 @@ class StandingOrdersNode:
 
     def _shutdown(self) -> None:
         self._inbox.put(None)
-        self._worker.join(5.0)
+        # A shutdown may come while the node starts.
+        if self._worker.is_alive():
+            self._worker.join(5.0)
         self._watches.close()
         self._store.close()
 
@@ -399,7 +403,7 @@ def start(place: Place) -> StandingOrdersNode:
     """
     settings = read_parameters(Settings, prefix=place.private)
     rospy.loginfo("standing_orders: %s", settings)
-    node = StandingOrdersNode(settings, robot=own_robot())
+    node = StandingOrdersNode(settings, robot=own_robot(), private=place.private)
     node.start()
     return node
 

@@ -41,6 +41,7 @@ class Watches:
         retry_s: float,
         silence_s: float,
         max_clients: int,
+        private: str,
     ) -> None:
         """
         Args:
@@ -49,12 +50,13 @@ class Watches:
             retry_s: from the death of a source to the next try
             silence_s: between two observations, unless the server states another time
             max_clients: connections to servers that are kept
+            private: prefix of the private names of the node
         """
         self._on_event, self._on_change = on_event, on_change
         self._retry_s = retry_s
         self._lock = threading.RLock()
         self._watches: Dict[object, _Watch] = {}
-        self._running_goals = RunningGoals("~running_goals")
+        self._running_goals = RunningGoals(private + "running_goals")
         self._profiles = ServerProfiles(default_silence_s=silence_s)
         self._context = WatchContext(
             ActionClients(max_kept=max_clients),

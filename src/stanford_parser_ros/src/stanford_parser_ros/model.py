@@ -20,9 +20,8 @@ from utterance_passes.table import (
     PARSER_TREE_PASSES,
     SURROUNDINGS_PASSES,
     TAG_PASSES,
-    TEXT_PASSES,
-    WORD_PASSES,
 )
+from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around

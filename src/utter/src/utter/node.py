@@ -5,7 +5,7 @@ import datetime
 import queue
 import threading
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, Optional
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, Reply
@@ -70,11 +70,12 @@ class UtterServer:
         settings = read_parameters(Settings, prefix=parameters)
         self._voice = Voice(is_aloud=settings.aloud, timeout_s=settings.timeout_s)
         # An answer that takes longer than the next question does not wait.
-        self._answers: queue.Queue[str] = queue.Queue(_MOST_WAITING)
+        self._answers: queue.Queue[Optional[str]] = queue.Queue(_MOST_WAITING)
         if settings.speaks_answers:
             self._thread = threading.Thread(target=self._speak, name="speak answers", daemon=True)
             self._thread.start()
             self._subscriber = rospy.Subscriber("reply", Reply, self._on_reply, queue_size=10)
+            rospy.on_shutdown(lambda: self._put(None))
         if not settings.serves:
             return
         self._servers = [
@@ -93,15 +94,17 @@ class UtterServer:
 
     def _on_reply(self, reply: Reply) -> None:
         if reply.outcome == Reply.DONE and reply.stage == _ANSWERING:
-            with contextlib.suppress(queue.Full):
-                self._answers.put_nowait(reply.sentence)
+            self._put(reply.sentence)
+
+    def _put(self, sentence: Optional[str]) -> None:
+        with contextlib.suppress(queue.Full):
+            self._answers.put_nowait(sentence)
 
     def _speak(self) -> None:
         while not rospy.is_shutdown():
-            try:
-                sentence = self._answers.get(timeout=0.5)
-            except queue.Empty:
-                continue
+            sentence = self._answers.get()
+            if sentence is None:
+                return
             try:
                 self._voice.say(sentence, is_wanted=lambda: not rospy.is_shutdown())
             except Exception as error:  # boundary: the next answer is spoken, whatever fails

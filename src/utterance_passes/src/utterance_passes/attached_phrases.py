@@ -1,5 +1,7 @@
 """Attaches phrases that the parser takes for another part of a command: "with your left hand", "from the left"."""
 
+from typing import FrozenSet
+
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -22,6 +24,7 @@ _ORDINALS = word_class("ordinals")
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _OF_WAYS = frozenset(["down", "up"])
 _SIDES = word_class("sides_of_a_row")
+_TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
@@ -78,17 +81,28 @@ def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a clause of what something is for: "something *to drink*" is brought to no place."""
+    """Make a clause of what something is for: "something *to drink*" is brought to no place.
+
+    Whoever gets it, and what follows, belongs to the verb: "offer something to eat *to all the women in the kitchen*".
+    """
     edit = TreeEdit(tree)
     for use in tree.words:
         case = tree.word(use.index - 1) if use.index > 1 else use
         thing = tree.word(use.index - 2) if use.index > 2 else use
+        if thing.form.lower() not in _INDEFINITE_THINGS:
+            continue
+        if use.deprel == "acl" and use.head == thing.index and thing.deprel == "obj":
+            phrases = [child for child in tree.children(use.index) if child.index > use.index]
+            given = [phrase.index for phrase in phrases if _has_case(tree, phrase, _TO)]
+            for phrase in phrases:
+                if given and phrase.index >= given[0] and phrase.deprel == "obl":
+                    edit.rehang(phrase.index, thing.head)
+            continue
         is_to = case.deprel == "case" and case.head == use.index and case.form.lower() == "to"
         is_bare = use.upos == "NOUN" and len(tree.children(use.index)) == 1
         if (
             is_to
             and is_bare
-            and thing.form.lower() in _INDEFINITE_THINGS
             and use.head in (thing.index, thing.head)
             and use.form == use.lemma
             and VERB in parts_of_speech(use.lemma)
@@ -98,6 +112,10 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
             edit.retag(case.index, "PART", "TO")
             edit.relabel(case.index, "mark")
     return edit.tree()
+
+
+def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) -> bool:
+    return any(child.deprel == "case" and child.form.lower() in prepositions for child in tree.children(word.index))
 
 
 def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -117,6 +135,11 @@ def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     edit = TreeEdit(tree)
     for but in tree.words:
         thing = tree.word(but.head) if but.head else but
+        before = tree.word(but.index - 1) if but.index > 1 else but
+        is_of_verb = but.deprel == "case" and thing.deprel == "obl" and before.head == thing.head
+        if but.form.lower() in _EXCEPTIONS and is_of_verb and before.deprel == "obj" and _is_of_all(tree, before):
+            edit.rehang(thing.index, before.index, "nmod")
+            continue
         if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
             continue
         if _is_of_all(tree, tree.word(thing.head)) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):

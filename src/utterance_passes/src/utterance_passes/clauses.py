@@ -136,9 +136,24 @@ def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
     is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
         child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
     )
-    is_next = word.deprel == "obl" and any(_is_then(child) for child in children)
+    is_next = word.deprel == "obl" and (any(_is_then(child) for child in children) or _is_listed(tree, word))
     is_phrase = (word.deprel == "conj" or is_next) and word.upos not in ("VERB", "AUX") and has_case(tree, word)
     return is_phrase or (is_joined and is_direction)
+
+
+def _is_listed(tree: DependencyTree, word: Word) -> bool:
+    """Whether a phrase stands between two with its preposition: "to the kitchen, *to the office*, and to Bob"."""
+    first = min(tree.subtree(word.index))
+    if first < 2 or "," not in (tree.word(first).form, tree.word(first - 1).form):
+        return False
+    cases = {case.form.lower() for case in tree.children(word.index) if case.deprel == "case"}
+    alike = [
+        other.index
+        for other in tree.children(word.head)
+        if other.deprel in ("obl", "conj")
+        if cases & {case.form.lower() for case in tree.children(other.index) if case.deprel == "case"}
+    ]
+    return min(alike) < word.index < max(alike)
 
 
 def _is_shared(tree: DependencyTree, word: Word) -> bool:

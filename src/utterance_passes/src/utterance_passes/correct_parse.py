@@ -9,6 +9,7 @@ from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_CHANGED_STATES = word_class("changed_states")
 _DEGREES = word_class("degrees")
 #: Relations of phrases that end with a noun.
 _NOMINAL = frozenset(["obj", "iobj", "obl", "nmod"])
@@ -67,13 +68,18 @@ def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> Dependency
 
 
 def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a place after "on" or "off" to the object before it: "turn *the lights* off *in the bedroom*"."""
+    """Attach a place after "on", "off" or a changed state to the object before it: "turn *the lights* off *in the
+    bedroom*"."""
     edit = TreeEdit(tree)
     for particle in tree.words:
-        if particle.deprel != "compound:prt" or particle.form.lower() not in ("on", "off"):
+        is_switch = particle.deprel == "compound:prt" and particle.form.lower() in ("on", "off")
+        # "Make the lights brighter in the hall": the parser may attach the place to the state.
+        is_state = particle.deprel == "xcomp" and particle.form.lower() in _CHANGED_STATES
+        if not is_switch and not is_state:
             continue
         objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
-        places = _places_at(tree, tree.children(particle.head), particle.index + 1)
+        below = tree.children(particle.index) if is_state else ()
+        places = _places_at(tree, (*tree.children(particle.head), *below), particle.index + 1)
         for place in places[:1] if objects else ():
             edit.rehang(place.index, objects[0].index, "nmod")
     return edit.tree()

@@ -4,8 +4,11 @@ from typing import Tuple
 
 from utterance_passes import (
     attached_phrases,
+    avoided_places,
+    awaited_deeds,
     compass,
     correct_parse,
+    items_in_order,
     names,
     objects_behind,
     participles,
@@ -27,6 +30,28 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_modals_as_nouns,
+    ),
+    TreePass(
+        "commands_behind_statements",
+        "Make a clause of its own of a command behind a statement.",
+        Example(
+            "Bob|PROPN|2|nsubj needs|VERB|0|root|need|VBZ air|NOUN|2|obj ,|PUNCT|5|punct open|VERB|2|conj|open|VB "
+            "doors|NOUN|5|obj",
+            ("open: conj(needs) -> parataxis(needs)",),
+            Verbs(frozenset(["open"])),
+        ),
+        Stage.FRAMER,
+        relations.with_commands_behind_statements,
+    ),
+    TreePass(
+        "prepositions_at_names",
+        "Attach a preposition to the noun right behind it.",
+        Example(
+            "look|VERB|0|root for|ADP|5|case Adam|PROPN|1|obl at|ADP|5|case doors|NOUN|1|obl",
+            ("for: case(doors) -> case(Adam)",),
+        ),
+        Stage.FRAMER,
+        relations.with_prepositions_at_names,
     ),
     TreePass(
         "asked_clauses",
@@ -125,6 +150,40 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         attached_phrases.with_ways_behind_particles,
+    ),
+    TreePass(
+        "avoided_places",
+        'Make a preposition of what says where not to go: "go to Bob avoiding halls".',
+        Example(
+            "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl avoiding|VERB|1|advcl|avoid|VBG halls|NOUN|4|obj",
+            ("avoiding: advcl(go) VERB/avoid -> case(halls) ADP/avoiding", "halls: obj(avoiding) -> obl(go)"),
+        ),
+        Stage.FRAMER,
+        avoided_places.with_avoided_places,
+    ),
+    TreePass(
+        "awaited_deeds",
+        'Make a condition of what somebody else is to do: "wait for Bob to come".',
+        Example(
+            "wait|VERB|0|root for|ADP|3|case Bob|PROPN|1|obl to|PART|5|mark come|VERB|1|advcl|come|VB",
+            (
+                "for: case(Bob) ADP/for for -> mark(come) SCONJ/until until",
+                "Bob: obl(wait) -> nsubj(come)",
+                "to: mark(come) -> discourse:aside(come)",
+            ),
+        ),
+        Stage.FRAMER,
+        awaited_deeds.with_awaited_deeds,
+    ),
+    TreePass(
+        "items_in_order",
+        'Set aside words of order before an item of a list: "visit the hall, then the office".',
+        Example(
+            "visit|VERB|0|root halls|NOUN|1|obj ,|PUNCT|5|punct then|ADV|5|advmod offices|NOUN|1|parataxis",
+            ("then: advmod(offices) -> discourse:aside(offices)", "offices: parataxis(visit) -> conj(halls)"),
+        ),
+        Stage.FRAMER,
+        items_in_order.with_items_in_order,
     ),
     TreePass(
         "contrasts",

@@ -168,6 +168,9 @@ class _Repair:
         """
         if _is_verb(self._after[0], self._vocabulary):
             return self._with_another_command()
+        recounted = self._recounted()
+        if recounted is not None:
+            return recounted
         correction, spans = self._candidates()
         if not correction or not spans:
             raise self._either()
@@ -177,6 +180,16 @@ class _Repair:
             trees = [self._rewired(span, correction) for span in spans]
             raise Uncertain(*(Choice(text, tree) for text, tree in zip(texts, trees)))
         return self._rewired(spans[0], correction)
+
+    def _recounted(self) -> Optional[DependencyTree]:
+        """Return the sentence with another number of the same things: "bring me three apples, make that four"."""
+        said = [word for word in self._after if word.upos != "PUNCT"]
+        counts = [word.index for word in self._before if word.upos == "NUM" and word.deprel == "nummod"]
+        number = self._amounts(self._after)
+        if len(said) != 1 or said[0].upos != "NUM" or len(counts) != 1 or len(number) != 1:
+            return None
+        is_measure = any(amount.unit for amount in self._amounts(self._before))
+        return None if is_measure else self._with_number(counts, number[0])
 
     def _either(self) -> Uncertain:
         """Return the choice between the words before the term and the words after it."""

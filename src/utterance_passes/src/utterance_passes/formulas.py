@@ -4,7 +4,7 @@ Such formulas are not real wishes, conditions or negations. Their words become *
 ignore them.
 """
 
-from typing import FrozenSet
+from typing import FrozenSet, Sequence
 
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -44,14 +44,16 @@ def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
                 (is_apart and _APART.fullmatch(text))
                 or (is_apart and not is_front and _ENDINGS.fullmatch(text))
                 or ((is_apart or (is_front and is_verb(vocabulary, words[behind]))) and _ANYWHERE.fullmatch(text))
-            ) and not (first and _belongs_to(words[first - 1], word, vocabulary)):
+            ) and not (first and _belongs_to(words[first - 1], words[first:behind], vocabulary)):
                 return frozenset(word.index for word in words[first:behind])
     return frozenset()
 
 
-def _belongs_to(before: Word, word: Word, vocabulary: Vocabulary) -> bool:
-    """Whether a word belongs to the word before it: "to the right now", "turn right now"."""
+def _belongs_to(before: Word, words: Sequence[Word], vocabulary: Vocabulary) -> bool:
+    """Whether words belong to the word before them: "to the right now", "turn right now", "what do you know"."""
+    if before.upos == "AUX" and before.head in [word.index for word in words]:
+        return True
     verbs = vocabulary.verbs_beginning_with(before.lemma.lower()) if before.upos == "VERB" else ()
     return before.upos in ("ADP", "DET", "SCONJ") or any(
-        word.form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)
+        words[0].form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)
     )

@@ -4,14 +4,17 @@ from typing import Tuple
 
 from semantic_types import Fit, shipped_types
 from utterance_passes.persons import is_person
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
+_GOING = word_class("verbs_of_going")
+_OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
 _SAYING = word_class("saying_verbs")
+_THING_PRONOUNS = frozenset(["it", "them"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 #: Relations that the parser gives to such a phrase if it takes it for a part of the phrase before it.
@@ -32,18 +35,35 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not objects:
             for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
                 edit.rehang(word.index, verb.index, "obj")
+            for word, preposition in _slips(tree, verb):
+                edit.relabel(word.index, "obj")
+                edit.rehang(preposition.index, verb.index, ASIDE)
         elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
             edit.relabel(objects[0].index, "iobj")
             for word in _greeting_behind(tree, verb, objects[0]):
                 edit.retag(word.index, "NOUN", "NN")
                 edit.relabel(word.index, "obj")
-        elif len(objects) == 1 and is_person(objects[0]):
-            for word in _behind_description(tree, objects[0]):
+        elif len(objects) == 1 and (is_person(objects[0]) or objects[0].upos == "PROPN"):
+            for word in _behind_description(tree, objects[0]) or _behind_place(tree, verb):
                 edit.rehang(word.index, verb.index, "obj")
                 edit.relabel(objects[0].index, "iobj")
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _slips(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
+    """Return a pronoun for a thing, and its preposition, if the same preposition follows at once: nobody delivers "*to
+    it* to Anna"."""
+    phrases = [child for child in tree.children(verb.index) if child.deprel == "obl" and child.index > verb.index]
+    for pronoun, behind in zip(phrases, phrases[1:]):
+        cases = [case for case in tree.children(pronoun.index) if case.deprel == "case"]
+        others = [case for case in tree.children(behind.index) if case.deprel == "case"]
+        is_twice = cases and others and cases[0].form.lower() == others[0].form.lower() == "to"
+        is_thing = pronoun.form.lower() in _THING_PRONOUNS and verb.lemma.lower() not in _GOING
+        if is_twice and is_thing and cases[0].index == verb.index + 1 and others[0].index == pronoun.index + 1:
+            return ((pronoun, cases[0]),)
+    return ()
 
 
 def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Word, ...]:
@@ -58,9 +78,15 @@ def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Wo
 
 
 def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bool:
-    """Whether the second object stands right behind the first, which is a person: "offer *the guests* some tea"."""
-    is_behind = max(tree.subtree(first.index)) + 1 == min(tree.subtree(second.index))
-    return is_behind and first.deprel == second.deprel == "obj" and is_person(first)
+    """Whether the second object stands behind the first, which is a person, or behind the place where the person is:
+    "offer *the guests* some tea", "bring *me* please a spoon", "give *the man* at the door a cup"."""
+    between = tree.words[max(tree.subtree(first.index)) : min(tree.subtree(second.index)) - 1]
+    places = [child for child in tree.children(first.head) if first.index < child.index < second.index]
+    below = frozenset().union(*(tree.subtree(place.index) for place in places if place.deprel == "obl"))
+    is_around = all(word.upos in ("INTJ", "PUNCT") or word.index in below for word in between)
+    is_behind = is_around and first.index < second.index
+    is_anybody = is_person(first) or first.form.lower() in _OBJECT_PRONOUNS
+    return is_behind and first.deprel == second.deprel == "obj" and is_anybody
 
 
 def _unmarked(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
@@ -72,9 +98,17 @@ def _unmarked(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
         child
         for child in children
         if behind and child.index > behind and child.deprel in ("obl", "obl:unmarked", "dep") and child.upos in _NOUNS
-        if _begins_with_article(tree, child)
-        if shipped_types().of_noun([child.form.lower(), child.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
+        if _begins_with_article(tree, child) and _is_thing(child)
     )
+
+
+def _behind_place(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
+    """Return the thing behind the place where a person is: "bring Anna in the kitchen *a glass of water*"."""
+    return tuple(word for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1] if _is_thing(word))
+
+
+def _is_thing(word: Word) -> bool:
+    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:

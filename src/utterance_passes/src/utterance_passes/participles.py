@@ -40,10 +40,28 @@ def with_participles_at_nouns(tree: DependencyTree, _: Vocabulary) -> Dependency
         if behind is not None:
             _hang_behind(tree, edit, word, behind)
             continue
+        if _is_tagged_as_adjective(tree, word):
+            edit.retag(word.index, "VERB", "VBN")
+            edit.rehang(word.index, word.index - 1, "acl")
+            for place in tree.words[word.index :]:
+                if place.head < word.index and min(tree.subtree(place.index)) == word.index + 1:
+                    edit.rehang(place.index, word.index, "obl")
+            continue
         noun = _described(tree, word) if word.xpos in _PARTICIPLES and word.upos in ("VERB", "ADJ") else None
         if noun is not None:
             edit.rehang(word.index, noun.index, "acl")
     return edit.tree()
+
+
+def _is_tagged_as_adjective(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word is a participle behind a person, and the parser takes it for an adjective: "the man *dressed* in a
+    red coat"."""
+    if word.upos != "ADJ" or not 1 < word.index < len(tree.words):
+        return False
+    noun = tree.word(word.index - 1)
+    is_behind = word.deprel in ("amod", "advmod", "xcomp") and word.head in (noun.index, noun.head)
+    is_participle = word.form.lower().endswith("ed") or word.xpos in _PARTICIPLES
+    return is_behind and is_participle and is_person(noun) and tree.word(word.index + 1).upos == "ADP"
 
 
 def _person_of_compound(tree: DependencyTree, word: Word) -> Optional[Word]:

@@ -5,10 +5,15 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
 _ASKING = word_class("asking_verbs")
+#: Tags of a verb that may be a command.
+_BARE_TAGS = frozenset(["VB", "VBP"])
+_HEARERS = word_class("hearers")
+#: Relations of words that no command has.
+_OF_FINITE = frozenset(["nsubj", "csubj", "aux", "cc", "mark", "expl"])
 _QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
 
@@ -55,6 +60,47 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
             is_joined = any(child.deprel == "cc" for child in tree.children(word.index))
             if not is_joined and not _is_infinitive(tree, tree.word(word.head)):
                 edit.relabel(word.index, "advcl")
+    return edit.tree()
+
+
+def with_commands_behind_statements(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a clause of its own of a command behind a statement: in "the dog needs to go out, *open the door*" the dog
+    opens nothing."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        governor = tree.word(verb.head) if verb.head else verb
+        children = tree.children(verb.index)
+        relations = {child.deprel.split(":")[0] for child in children}
+        first = min(tree.subtree(verb.index))
+        is_bare = verb.upos == "VERB" and verb.xpos in _BARE_TAGS and verb.form.lower() == verb.lemma.lower()
+        is_apart = tree.word(first).form == "," and tree.word(first).head == verb.index
+        if verb.deprel not in ("conj", "xcomp", "advcl") or not (is_bare and is_apart and first < verb.index):
+            continue
+        if relations & _OF_FINITE or not is_verb(vocabulary, verb) or first + 1 != verb.index:
+            continue
+        above = governor
+        while above.deprel in ("conj", "xcomp") and above.head:
+            above = tree.word(above.head)
+        subjects = [child for child in tree.children(above.index) if child.deprel.startswith("nsubj")]
+        if subjects and subjects[0].index < above.index and subjects[0].form.lower() not in _HEARERS:
+            edit.rehang(verb.index, above.index, "parataxis")
+    return edit.tree()
+
+
+def with_prepositions_at_names(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a preposition to the noun right behind it: in "look *for Adam* at the chair" it does not belong to the
+    chair."""
+    edit = TreeEdit(tree)
+    for preposition in tree.words[:-1]:
+        noun = tree.word(preposition.index + 1)
+        governor = tree.word(preposition.head) if preposition.head else preposition
+        is_skipped = preposition.deprel == "case" and governor.index > noun.index and noun.head == governor.head
+        has_another = any(
+            child.deprel == "case" and child.index > noun.index for child in tree.children(preposition.head)
+        )
+        if is_skipped and has_another and noun.upos in ("NOUN", "PROPN", "PRON"):
+            edit.rehang(preposition.index, noun.index)
+            edit.relabel(noun.index, "obl")
     return edit.tree()
 
 

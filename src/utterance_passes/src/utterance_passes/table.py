@@ -1,7 +1,9 @@
-"""Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another."""
+"""Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another.
 
-from functools import partial
-from typing import Callable, Match, Pattern, Tuple, Union
+``text_table`` has the passes on text, ``correcting_table`` those that correct the parse.
+"""
+
+from typing import Tuple
 
 from utterance_passes import (
     argument_clusters,
@@ -15,13 +17,12 @@ from utterance_passes import (
     relations,
     run_ons,
     shared_verbs,
-    spelling,
     surroundings,
     tagging,
     times,
-    typos,
 )
 from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
+from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.utterance_pass import (
     CutPass,
     Example,
@@ -29,108 +30,12 @@ from utterance_passes.utterance_pass import (
     Stage,
     SurroundingsPass,
     TagPass,
-    TextPass,
     TreePass,
-    WordPass,
 )
 from utterance_passes.vocabulary import Speech, Verbs
 
 _TURN = Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)})
 
-
-def _text(
-    name: str,
-    what: str,
-    said: str,
-    expected: str,
-    pattern: Pattern[str],
-    replacement: Union[str, Callable[[Match[str]], str]],
-) -> TextPass:
-    run = partial(spelling.replaced, pattern=pattern, replacement=replacement)
-    return TextPass(name, what, Example(said, (expected,)), Stage.PARSER, run)
-
-
-TEXT_PASSES: Tuple[TextPass, ...] = (
-    _text(
-        "transcribers_marks",
-        "Remove the marks of transcribers and speech recognisers.",
-        "go <pause> on",
-        "go   on",
-        spelling.TRANSCRIBERS_MARK,
-        " ",
-    ),
-    _text("apostrophes", "Write all apostrophes alike.", "Bob’s", "Bob's", spelling.APOSTROPHE, "'"),
-    _text("quotation_marks", "Write all quotation marks alike.", "“hi”", '"hi"', spelling.QUOTATION_MARK, '"'),
-    _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
-    _text(
-        "fraction_signs",
-        "Write the sign for a fraction in digits.",
-        "2½",
-        "2 1/2",
-        spelling.FRACTION_SIGN,
-        spelling.ratio,
-    ),
-    _text(
-        "fraction_slash", "Write the slash in a fraction as a plain one.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"
-    ),
-    _text(
-        "degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"
-    ),
-    _text("units", "Separate a number from a unit that touches it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
-    _text(
-        "minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "
-    ),
-    _text(
-        "negative_sign",
-        'Write "negative" before a number as "minus".',
-        "negative two",
-        "minus two",
-        spelling.NEGATIVE_SIGN,
-        "minus ",
-    ),
-    _text("ratios", "Separate the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
-    TextPass(
-        "false_starts",
-        "Remove words that are broken off, and the words that are said again after them.",
-        Example("go to the ki- go to the kitchen", ("go to the kitchen",)),
-        Stage.PARSER,
-        spelling.without_false_starts,
-    ),
-    TextPass(
-        "repeated_starts",
-        "Remove the beginning of a phrase that is begun again.",
-        Example("go to the go to the office", ("go to the office",)),
-        Stage.PARSER,
-        spelling.without_repeated_starts,
-    ),
-    TextPass(
-        "hesitation",
-        "Remove phrases that people say while they think.",
-        Example("go to the, you know, kitchen", ("go to the kitchen",)),
-        Stage.PARSER,
-        spelling.without_hesitation,
-    ),
-    TextPass(
-        "contractions",
-        "Write contracted words in full.",
-        Example("didja move, I'm gonna go", ("did you move, I'm going to go",)),
-        Stage.PARSER,
-        spelling.written_out,
-    ),
-    _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
-    TextPass("ends", "Remove blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
-)
-
-#: Rewrite words that the robot does not know.
-WORD_PASSES: Tuple[WordPass, ...] = (
-    WordPass(
-        "typos",
-        "Correct a word with one wrong letter if one word of the lexicon is meant.",
-        Example("trun left", ("turn left",), Verbs(frozenset(["turn"]), spellings=frozenset(["turn", "left"]))),
-        Stage.PARSER,
-        typos.without_typos,
-    ),
-)
 
 #: Find words that the parser leaves out, and adds to the tree of the command later.
 SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
@@ -165,6 +70,17 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Example("Scrub|PROPN the|DET pot|NOUN", ("1 VERB VB",), Verbs(frozenset(["scrub"]))),
         Stage.PARSER,
         tagging.command_verb,
+    ),
+    TagPass(
+        "verbs_behind_commas",
+        "Tag a verb of the lexicon behind a comma as a verb that the tagger took for a noun.",
+        Example(
+            "find|VERB Anna|PROPN ,|PUNCT spot|NOUN Bob|PROPN",
+            ("4 VERB VB",),
+            Verbs(frozenset(["find", "spot"])),
+        ),
+        Stage.PARSER,
+        tagging.verbs_behind_commas,
     ),
     TagPass(
         "numbered_noun",
@@ -205,7 +121,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     ),
     TagPass(
         "verbs_of_conditions",
-        "Tag a verb between the subject and the object of a condition that the tagger took for a noun.",
+        "Tag a verb behind the subject of a condition that the tagger took for a noun.",
         Example("when|ADV Bob|PROPN leaves|NOUN the|DET office|NOUN", ("3 VERB VBZ",), Verbs()),
         Stage.PARSER,
         tagging.verbs_of_conditions,

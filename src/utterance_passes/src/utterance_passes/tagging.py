@@ -10,6 +10,7 @@ from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_ARTICLES = word_class("articles")
 _BEFORE_GERUNDS = word_class("aspectual_verbs") | word_class("verbs_before_gerunds")
 _CONDITIONS = word_class("conditions")
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
@@ -18,6 +19,7 @@ _NEVER_OWNERS = word_class("pronouns_before_is")
 _PERSONS = word_class("personal_subjects")
 _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
+_CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
 _LEAD_IN = word_class("lead_in")
 _RESULTS = word_class("resulting_states")
@@ -34,6 +36,20 @@ def command_verb(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabula
     if position is None or tags[position - 1] == "VERB":
         return ()
     return (Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin"),)
+
+
+def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a verb of the lexicon behind a comma as a verb that the tagger took for a noun: "find Anna, *spot* Bob"."""
+    if command_verb_position(forms, vocabulary) is None:
+        return ()
+    return tuple(
+        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and 2 < position < len(forms) and forms[position - 2] == ","
+        if form.islower() and vocabulary.verbs_beginning_with(form)
+        # "The guide, Bob" has no verb, and neither has "room, table and chair".
+        if tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES
+    )
 
 
 def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
@@ -142,13 +158,14 @@ def contracted_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
 
 
 def verbs_of_conditions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a verb between the subject of a condition and an object that the tagger took for a noun: "when Bob *leaves*
-    the office"."""
+    """Tag a verb behind the subject of a condition that the tagger took for a noun: "when Bob *leaves* the office",
+    "tell me if Bob *leaves*"."""
     return tuple(
         Retag(position, "VERB", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin", lemma)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "NOUN" and form.endswith("s") and 2 < position < len(forms)
-        if tags[position - 2] in ("PROPN", "PRON") and tags[position] == "DET"
+        if tag == "NOUN" and form.endswith("s") and position > 2
+        if tags[position - 2] in ("PROPN", "PRON")
+        if position == len(forms) or tags[position] in ("DET", "PUNCT", "CCONJ")
         if forms[position - 3].lower() in _CONDITIONS
         for lemma in [next((base for base in (form[:-1], form[:-2]) if VERB in parts_of_speech(base)), "")]
         if lemma
@@ -162,8 +179,10 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         # "See the door open" has two verbs, "pull the door closed" has one.
         if tag == "NOUN" or (tag == "VERB" and form.lower().endswith("ed"))
-        if form.lower() in _RESULTS and position > 2 and tags[position - 2] == "NOUN"
-        if position == len(forms) or tags[position] in ("PUNCT", "CCONJ", "INTJ")
+        if form.lower() in _RESULTS | _CHANGED and position > 2 and tags[position - 2] == "NOUN"
+        if position == len(forms)
+        or tags[position] in ("PUNCT", "CCONJ", "INTJ")
+        or (form.lower() in _CHANGED and tags[position] == "ADP")
     )
 
 

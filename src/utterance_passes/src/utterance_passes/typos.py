@@ -7,7 +7,7 @@ words of a clause show what was written: ``as_written``.
 
 import re
 from functools import lru_cache
-from typing import FrozenSet, Iterable, Iterator, List, Optional, Sequence
+from typing import AbstractSet, FrozenSet, Iterable, Iterator, List, Optional, Sequence
 
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types.parts_of_speech import ADJECTIVE, NOUN, parts_of_speech
@@ -22,6 +22,8 @@ from word_classes.shipped import word_classes
 _SHORTEST = 4
 _WORD = re.compile(r"(?<![\w'-])[A-Za-z]{3,}(?![\w'-])")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
+_DRAWN_OUT = re.compile(r"([a-z])\1{2,}")
+_FINAL = " .!?"
 _GERUND = "ing"
 _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
@@ -57,11 +59,14 @@ def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
     """Replace each word that has one wrong letter. Words to be said stay as they are."""
     text, position = "", 0
     origins: List[int] = []
+    end = len(spelling.text.rstrip(_FINAL))
     for match in _WORD.finditer(spelling.text) if vocabulary.spellings else ():
         before = spelling.text[: match.start()]
         if match.group().lower() in _SAYING or before.count('"') % 2:
             break
         meant = _meant(match.group(), re.findall(r"\w+", before.lower()), vocabulary)
+        if meant is None and match.end() == end:
+            meant = _cut_off(match.group(), vocabulary)
         if meant is None:
             continue
         text += spelling.text[position : match.start()] + meant
@@ -84,6 +89,9 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
     known = vocabulary.spellings | _known_words()
     if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
         return None
+    drawn_out = _without_drawn_out_letters(said, known | vocabulary.names)
+    if drawn_out:
+        return drawn_out
     # A rare word of a closed class, such as a month, may be one letter from a name: "marco".
     meant_words = vocabulary.spellings | vocabulary.names | frozenset(unit_words())
     if len(said) < _SHORTEST:
@@ -111,6 +119,23 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         return meant
     # A capital may be that of a name: "Rosie, turn left".
     return meant.capitalize() if not before and meant in vocabulary.words else None
+
+
+def _cut_off(word: str, vocabulary: Verbs) -> Optional[str]:
+    """Return the word of the lexicon of which a recording has only the beginning: "take another *pictu*"."""
+    if len(word) <= _SHORTEST or not word.islower() or word in _known_words() or parts_of_speech(word):
+        return None
+    found = sorted(whole for whole in vocabulary.spellings - vocabulary.words if whole.startswith(word))
+    # "Pictu" may be "picture" or "pictures", and then it is the shorter one.
+    return found[0] if found and all(whole.startswith(found[0]) for whole in found) and word != found[0] else None
+
+
+def _without_drawn_out_letters(said: str, known: AbstractSet[str]) -> str:
+    """Return the word that somebody draws out: "pleeease", "baaall"; empty if there is none."""
+    if not _DRAWN_OUT.search(said):
+        return ""
+    made = [_DRAWN_OUT.sub(letters, said) for letters in (r"\1", r"\1\1")]
+    return next((word for word in made if word in known or parts_of_speech(word)), "")
 
 
 def _with_changed_places(said: str) -> Optional[str]:
@@ -153,4 +178,6 @@ def as_written(tree: DependencyTree, word: Word) -> str:
     written = tree.text[word.start_character : word.end_character]
     form = word.form.lower()
     is_typo = len(written) >= _SHORTEST and written.isalpha() and written.lower() != form and form.isalpha()
-    return written if is_typo and form in _near(written.lower()) and not parts_of_speech(written) else ""
+    is_cut_off = len(written) > _SHORTEST and form.startswith(written.lower())
+    is_near = form in _near(written.lower()) or is_cut_off
+    return written if is_typo and is_near and not parts_of_speech(written) else ""

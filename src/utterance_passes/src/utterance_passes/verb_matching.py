@@ -8,7 +8,7 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Vocabulary
 
 #: Relations of the other words of a verb: "turn the light *on*", "turn left *to* *face* the door".
-_PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp"])
+_PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp", "amod"])
 
 
 @dataclass(frozen=True)

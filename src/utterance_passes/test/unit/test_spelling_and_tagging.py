@@ -14,8 +14,8 @@ from utterance_passes.spelling import (
     without_hesitation,
     without_repeated_starts,
 )
-from utterance_passes.table import TEXT_PASSES
 from utterance_passes.tagging import command_verb_position, numbered_noun_position, rerooted
+from utterance_passes.text_table import TEXT_PASSES
 from utterance_passes.vocabulary import Verbs
 
 VERBS = Verbs(frozenset(["scrub", "ping", "name", "turn"]))

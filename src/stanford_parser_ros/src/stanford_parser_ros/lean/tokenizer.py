@@ -17,8 +17,8 @@ _SPACE = re.compile("[\\s\u0080-\u009f]")
 _ADDRESS = re.compile(
     r"[\w.!#$%&'*+/=?^`{|}~-]+@[a-z0-9-]+(?:\.[a-z0-9-]+)+|https?://[^\s\"]+\.[^\s\"]{2,}|www\.[^\s\"]+\.[^\s\"]{2,}"
 )
-#: A token with more letters is a word that no model knows.
-LONGEST_TOKEN = 1000
+#: What stands for a token with more letters than the model takes.
+_TOO_LONG = "<UNK>"
 _FEATURES = ["space_before", "capitalized", "numeric", "end_of_para", "start_of_para"]
 
 
@@ -66,6 +66,7 @@ class Tokenizer:
         self._second = Recurrent(weights, "rnn2")
         self._scores = Linear(weights, "tok_clf", "sent_clf", "mwt_clf")
         self._more_scores = Linear(weights, "tok_clf2", "sent_clf2", "mwt_clf2")
+        self._longest = int(config["max_seqlen"])
         self._temperature = np.float32(config["hier_invtemp"])
 
     def tokens(self, text: str) -> List[Token]:
@@ -84,9 +85,12 @@ class Tokenizer:
             stripped = letters.lstrip()
             if stripped:
                 begin = places[start + len(letters) - len(stripped)]
-                if len(stripped) > LONGEST_TOKEN:
-                    stripped = "<UNK>"
-                tokens.append(Token(stripped, begin, places[last] + 1, bool(are_compounds[last])))
+                end = places[last] + 1
+                if len(stripped) > self._longest:
+                    # Stanza counts the letters of what stands for the token.
+                    stripped = _TOO_LONG
+                    end = begin + len(_TOO_LONG)
+                tokens.append(Token(stripped, begin, end, bool(are_compounds[last])))
             start = stop
         return tokens
 

@@ -1,0 +1,120 @@
+"""Reasons before a command, descriptions of persons, and what people say again with more precision."""
+
+from typing import Any
+
+import pytest
+
+from semantic_framer.framer import Question, Refusal, Understood
+
+
+def said(outcome: Any) -> str:
+    """Return the frames with what was said for their elements."""
+    assert isinstance(outcome, Understood), outcome
+    return " + ".join(
+        f"{readings[0].unit.frame_name}("
+        + ", ".join(f"{one.name}={one.text}" for one in readings[0].arguments if one.positions)
+        + ")"
+        for readings in outcome.clauses
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        # Where a person is described to another one.
+        (
+            "Describe the person lying down at the exit to the person at the dishwasher.",
+            "describing(item=the person lying down at the exit, addressee=the person at the dishwasher)",
+        ),
+        ("Greet the person dressed in a red coat.", "greeting(addressee=the person dressed in a red coat)"),
+        (
+            "Offer something to eat to all the women in the living room.",
+            "offering(theme=something to eat, recipient=all the women in the living room)",
+        ),
+        ("Bring Anna in the kitchen a glass.", "bringing(theme=a glass, beneficiary=Anna in the kitchen)"),
+        ("Bring me please a glass of water.", "bringing(theme=a glass of water, beneficiary=me)"),
+        # Nobody is spoken to without a pause.
+        ("Spot Ali, escort him to the exit.", "locating(sought_entity=Ali) + guiding(cotheme=him, goal=the exit)"),
+        (
+            "Pinpoint Hayden in the hall, spot Alex, and wave.",
+            "locating(sought_entity=Hayden, ground=the hall) + locating(sought_entity=Alex) + waving()",
+        ),
+        (
+            "Take the peach from the counter, and look for Adam at the chair.",
+            "taking(theme=the peach, source=the counter) + locating(sought_entity=Adam, ground=the chair)",
+        ),
+        # A reason forbids nothing.
+        ("The dog needs to go out, open the back door.", "opening(container_portal=the back door)"),
+        ("I'm not feeling well, bring me some water.", "bringing(theme=some water, beneficiary=me)"),
+        (
+            "I can't reach the biscuits on the top shelf, bring them to me.",
+            "bringing(theme=the biscuits on the top shelf, beneficiary=me)",
+        ),
+        ("the window is not closed, close it", "closing(container_portal=the window)"),
+        # Said again.
+        (
+            "Turn to your left turn forty five degrees to your left.",
+            "turning(direction=left, angle=45, angle_unit=degrees)",
+        ),
+        ("Bring me three apples, actually make that four.", "bringing(theme=4 apples, beneficiary=me)"),
+        ("Bring me the blue, uh, the green mug.", "bringing(theme=the green mug, beneficiary=me)"),
+        (
+            "Bring two beers, one for me and one for Dave.",
+            "bringing(theme=one beer, beneficiary=me) + bringing(theme=one beer, beneficiary=Dave)",
+        ),
+        (
+            "Retrieve the melon, and deliver to it to Peyton.",
+            "taking(theme=the melon) + bringing(theme=the melon, beneficiary=Peyton)",
+        ),
+        (
+            "Lead the woman dressed in a blue blouse in the corridor to the living room.",
+            "guiding(cotheme=the woman dressed in a blue blouse in the corridor, goal=the living room)",
+        ),
+        (
+            "Bring the bag to the person dressed in an orange coat.",
+            "bringing(theme=the bag, beneficiary=the person dressed in an orange coat)",
+        ),
+        ("Lead the group to the skeleton.", "guiding(cotheme=the group, goal=the skeleton)"),
+        ("Fetch the supplies from the closet.", "fetching(theme=the supplies, source=the closet)"),
+        # A setting is no place.
+        ("Set the gripper to 50 percent.", "switching_device(device=the gripper, operational_state=50 percent)"),
+        ("Make the lights brighter in the kitchen.", "brightening(item=the lights in the kitchen)"),
+        ("Pull the trolley over here.", "pulling(theme=the trolley, goal=over here)"),
+        ("Bring everything except the knives.", "bringing(theme=everything except the knives)"),
+        ("Come closer.", "arriving(goal=me)"),
+        # Openings of people who learn English, and of polite ones.
+        ("I want that you go to the kitchen.", "navigating_to_location(goal=the kitchen)"),
+        ("Can you to bring me the book?", "bringing(theme=the book, beneficiary=me, agent=you)"),
+        ("Please to close the door.", "closing(container_portal=the door)"),
+        ("Could I possibly trouble you for a cup of tea?", "bringing(theme=a cup of tea)"),
+        ("Bring me a screwdriver asap.", "bringing(theme=a screwdriver, beneficiary=me)"),
+        # A thing and "please".
+        ("Coffee please.", "bringing(theme=Coffee)"),
+        ("Two napkins, please.", "bringing(theme=Two napkins)"),
+    ],
+)
+def test_what_is_meant(understand: Any, text: str, meant: str) -> None:
+    assert said(understand(text)[0]) == meant
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # What is forbidden stays forbidden.
+        "You can't go to the kitchen, go to the hall.",
+        "Don't go to the kitchen, go to the hall.",
+        # Nobody brings these.
+        "Lights please.",
+        "The door please.",
+        "A room please.",
+        # A number before a preposition is no part of the place.
+        "Continue three hundred to si.",
+    ],
+)
+def test_nothing_is_done(understand: Any, text: str) -> None:
+    assert isinstance(understand(text)[0], (Refusal, Question))
+
+
+def test_couple_is_two(understand: Any) -> None:
+    outcome, _ = understand("Bring a couple of beers.")
+    assert outcome.clauses[0][0].argument("theme").count == 2
