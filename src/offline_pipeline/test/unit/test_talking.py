@@ -13,7 +13,7 @@ from offline_pipeline.pipeline import Parameters, Pipeline
 from semantic_framer.outcome import MEANING_ONLY
 
 #: The least number of lines of each table that are right. The others ask or refuse.
-LEAST_RIGHT: Dict[str, int] = {"first_words": 56, "fragments": 59, "small_talk": 75, "clusters": 41, "spoken": 60}
+LEAST_RIGHT: Dict[str, int] = {"first_words": 56, "fragments": 77, "small_talk": 75, "clusters": 41, "spoken": 60}
 
 
 @pytest.fixture(scope="module")

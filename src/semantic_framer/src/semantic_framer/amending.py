@@ -13,6 +13,7 @@ from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_ot
 from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment
+from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.paces import PACES, at_pace, pace_element
@@ -62,7 +63,7 @@ def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: Fr
     if any(one.unit.frame_name not in known.frames for readings in last.clauses for one in readings):
         return ()
     if fragment.kind is FragmentKind.REPEAT:
-        if fragment.times and len(last.clauses) > 1:
+        if (fragment.times and len(last.clauses) > 1) or not _may_repeat(fragment, sentence, last, known):
             return ()
         return (tuple(tuple(_repeated(one, fragment.times) for one in readings) for readings in last.clauses),)
     found: List[Tuple[int, Clauses]] = []
@@ -76,6 +77,12 @@ def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: Fr
             found.append((added, (fitting,)))
     least = min((added for added, _ in found), default=0)
     return tuple(clauses for added, clauses in found if added == least)
+
+
+def _may_repeat(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> bool:
+    """Whether a fragment may mean the last command: "tell him again" does only if something was said."""
+    says = any(known.speech_of(sentence.word(index).form.lower()) is not None for index in fragment.positions)
+    return not says or any(MESSAGE in known.frames[readings[0].unit.frame_name].roles for readings in last.clauses)
 
 
 def _repeated(reading: Reading, times: int) -> Reading:

@@ -81,7 +81,7 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
     clauses = tuple(tuple(with_words(reading) for reading in readings) for readings in understood.clauses)
     remembered = replace(
         context,
-        thing=head_of.get(context.thing, context.thing),
+        things=tuple(replace(one, text=head_of.get(one.text, one.text)) for one in context.things),
         place=head_of.get(context.place, context.place),
     )
     return replace(understood, clauses=clauses), remembered

@@ -14,6 +14,8 @@ PRONOUNS = word_class("pronouns")
 #: The pronouns that may also be meant literally.
 DEMONSTRATIVES = word_class("demonstrative_pronouns")
 PLACE_PRONOUNS = frozenset(["there"])
+#: "It" is one of the things that were mentioned last.
+MOST_THINGS = 5
 _AGREEMENTS = word_class("agreements")
 _REFUSALS = word_class("refusals")
 
@@ -85,20 +87,35 @@ class Mention:
 
 
 @dataclass(frozen=True)
+class Thing:
+    """A thing that was mentioned.
+
+    Attributes:
+        text: as it was said, "the red mug"
+        noun: the dictionary form of its head, "mug"
+        role: the part that it had in what was last done with it; see ``frame_roles.part_of``
+    """
+
+    text: str
+    noun: str
+    role: str = ""
+
+
+@dataclass(frozen=True)
 class Context:
     """What the framer remembers.
 
     Attributes:
         pending: the open question; None if there is none
         last: the last command; None if there is none, or if it may not be repeated
-        thing: the last thing mentioned, "the mug"; empty if there is none
+        things: the things mentioned, the last one first; at most ``MOST_THINGS``
         place: the last place mentioned, "the kitchen"; empty if there is none
         spoken_of: the things that were mentioned, the last one first
     """
 
     pending: Optional[Pending] = None
     last: Optional[LastCommand] = None
-    thing: str = ""
+    things: Tuple[Thing, ...] = ()
     place: str = ""
     spoken_of: Tuple[Mention, ...] = ()
 
@@ -106,6 +123,12 @@ class Context:
     def ids_spoken_of(self) -> Tuple[str, ...]:
         """The ids of what was spoken of, the last one first; empty ones stand for what is not known."""
         return tuple(mention.id for mention in self.spoken_of)
+
+    def with_thing(self, thing: Thing) -> "Context":
+        """Return the context after a thing was mentioned; one that was mentioned before keeps its noun."""
+        nouns = [one.noun for one in self.things if one.text == thing.text]
+        others = [one for one in self.things if one.text != thing.text]
+        return replace(self, things=(replace(thing, noun=[*nouns, thing.noun][0]), *others)[:MOST_THINGS])
 
     def at(self, now_s: float) -> "Context":
         """Return the context at a time: without a question that has expired."""

@@ -33,3 +33,16 @@ OPERATIONAL_STATE = "Operational_state"
 #: What is to be checked, and whether the thing that it is said of has an element of its own.
 STATED: Mapping[str, bool] = {"Unconfirmed_content": False, "Desired_state": True}
 STATED_OF: FrozenSet[str] = frozenset(["Ground"])
+#: What is opened and closed again: the door, and what the door belongs to.
+_OPENED = frozenset(["Container_portal", "Containing_object"])
+
+
+def part_of(framenet: str) -> str:
+    """Return the part of an element in what may be undone, switched or opened again; empty for an element of any deed.
+
+    Args:
+        framenet: FrameNet's name of the element
+    """
+    if framenet in _OPENED:
+        return "Containing_object"
+    return "" if framenet in THINGS else framenet

@@ -70,7 +70,7 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     kept = tuple(read.kept for read in clauses)
     read_ones = [read.clause for read in clauses]
     thing = thing_told(sentence, (clause for clause in case.clauses if clause not in read_ones))
-    context = replace(context, thing=thing) if thing else context
+    context = context.with_thing(thing) if thing is not None else context
     outcome, context = resolve_and_confirm(kept, sentence, context, now)
     words = words_outside(sentence, case.clauses)
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

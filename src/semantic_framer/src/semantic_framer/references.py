@@ -1,14 +1,17 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Iterable, Mapping, Union
+from typing import Iterable, Mapping, Optional, Sequence, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
-from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
-from semantic_framer.frame_roles import NO_THINGS, PLACES
+from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
+from semantic_framer.frame_roles import NO_THINGS, PLACES, part_of
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.semantic_type import with_parents
+from semantic_types import Fit, WordTypes
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
@@ -19,11 +22,19 @@ _ROBOTS = word_class("robots")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
 _SOUND_SOURCE = "Sound_source"
+#: Relations of a place to what is put into it.
+_INSIDE = word_class("prepositions_of_containers")
 
 
-def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]:
+def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[Reading, TypedArgument]:
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
+    things = context.things
+    place = context.place
+    container = _container_meant(reading, things, known.types)
+    if container is not None and len(things) > 1:
+        # "Take the spoon, open the box and put it in there."
+        place, things = container.text, tuple(thing for thing in things if thing != container)
     for value in reading.arguments:
         word = value.text.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
@@ -32,13 +43,41 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
-            if not context.thing and not context.place:
+            element = known.frames[reading.unit.frame_name].element(value.name)
+            accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
+            part = part_of(element.framenet) if element else ""
+            meant = _thing_meant(things, accepted, part, known.types) or place
+            if not meant:
                 return value
-            value = resolved(value, context.thing or context.place)
-        elif word in PLACE_PRONOUNS and not is_fixed and context.place:
-            value = resolved(value, context.place)
+            value = resolved(value, meant)
+        elif word in PLACE_PRONOUNS and not is_fixed and place:
+            value = resolved(value, place)
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes) -> Optional[Thing]:
+    """Return the last container mentioned, if something is put into one: "put it in there"; None otherwise."""
+    spoken = {value.text.lower(): value for value in reading.arguments if value.positions}
+    places = [spoken[word] for word in PLACE_PRONOUNS & set(spoken)]
+    if not (PRONOUNS - DEMONSTRATIVES) & set(spoken) or all(place.relation not in _INSIDE for place in places):
+        return None
+    return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
+
+
+def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, types: WordTypes) -> str:
+    """Return the thing that a pronoun stands for: the last one mentioned that may have one of some types.
+
+    A thing of another kind gives way to one that had the same part before: "open the fridge, take the milk out and
+    close *it*". If none may have the types, the last one is meant; empty if nothing was mentioned.
+    """
+    likelihoods = {one: types.of_noun([one.noun]) for one in things}
+    fitting = [one for one in things if not accepted or likelihoods[one].fit(accepted) is not Fit.WRONG] or things
+    last = next(iter(fitting), None)
+    before = next((one for one in fitting if part and one.role == part), last)
+    if last is None or before is None or likelihoods[last].likeliest() == likelihoods[before].likeliest():
+        return last.text if last is not None else ""
+    return before.text
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
@@ -62,21 +101,23 @@ def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, 
     return replace(reading, arguments=tuple(values))
 
 
-def thing_told(sentence: Sentence, told: Iterable[Clause]) -> str:
+def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     """Return the only thing that statements around a command are about, which a pronoun of the command stands for: "I
-    can't reach *the biscuits*, get them for me". Empty if there is none, or more than one.
+    can't reach *the biscuits*, get them for me". None if there is none, or more than one.
 
     Args:
         sentence: the sentence
         told: its clauses that ask for nothing
     """
     things = [
-        word.index
+        word
         for clause in told
         for word in sentence.tree.children(clause.verb)
         if word.deprel.split(":")[0] in ("nsubj", "obj") and word.upos == "NOUN" and not is_person(word)
     ]
-    return sentence.text(sorted(sentence.subtree(things[0]))) if len(things) == 1 else ""
+    if len(things) != 1:
+        return None
+    return Thing(sentence.text(sorted(sentence.subtree(things[0].index))), things[0].lemma.lower())
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
@@ -90,9 +131,11 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
             continue  # "The floor is dirty, clean it": dirty is no thing.
         if frame.is_condition and (value.semantic_type == "Human" or value.lemma in _ROBOTS):
             continue  # "If Bob is at the door, open it": Bob is no thing.
+        # "Wash the cup": what is washed is the source of the dirt, and a thing.
+        is_thing = value.semantic_type and not value.relation and "Location" not in with_parents(value.semantic_type)
         # "When the bell rings, go to the door and open it": what is gone to counts for more.
-        if element.framenet in PLACES or (frame.is_condition and element.framenet == _SOUND_SOURCE):
+        if (element.framenet in PLACES and not is_thing) or (frame.is_condition and element.framenet == _SOUND_SOURCE):
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
-            context = replace(context, thing=value.text)
+            context = context.with_thing(Thing(value.text, value.lemma, part_of(element.framenet)))
     return context

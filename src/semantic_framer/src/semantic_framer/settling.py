@@ -209,7 +209,7 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, TypedArgument]] = []
     for reading in readings:
-        outcome = resolve(reading, context)
+        outcome = resolve(reading, context, now.known)
         if isinstance(outcome, TypedArgument):
             unresolved.append((reading, outcome))
         else:
