@@ -14,27 +14,20 @@ from experience.snapshot import Snapshot
 from experience.trial import Circumstances, Outcome, Trial, kinds_of
 from typed_arguments import FilledFrame
 
+from .chooser import Chooser
+from .ideal import Ideal
 from .simulation import COMMANDS, DRIFTS, Home, Request
 
 #: Commands after a drift that are counted apart.
 RECOVERY = 30
+#: Commands before a drift with which those after it are compared.
+BEFORE_DRIFT = 100
 #: Commands after a drift in which failures are counted together; the first three are the window of recovery.
 AFTER_DRIFT = ((0, 10), (10, 20), (20, RECOVERY), (RECOVERY, 60), (60, 150), (150, 300))
 #: The first command that counts for the comparison; before, everybody learns.
 LEARNED_FROM = 300
 #: Frames of the simulation of which another server may be tried than the likeliest.
 EXPLORABLE = frozenset(["pointing", "waving", "approaching"])
-
-
-class Chooser:
-    """Orders the candidates of a command, and hears what came of each frame."""
-
-    def choose(self, request: Request, candidates: Sequence[Candidate]) -> Sequence[Candidate]:
-        """Return the candidates in the order in which they are tried."""
-        raise NotImplementedError
-
-    def hear(self, request: Request, frame: FilledFrame, *, succeeded: bool, took_s: float) -> None:
-        """A frame has ended."""
 
 
 class Named(Chooser):
@@ -175,6 +168,8 @@ CHOOSERS: Dict[str, Callable[[Home, int], Chooser]] = {
     "fewest_steps": lambda home, seed: Named(load_policy("fewest_steps")),
     "counts": lambda home, seed: Counting(),
     "learned": lambda home, seed: Learned(),
+    "ideal": lambda home, seed: Ideal(is_told=False),
+    "ideal, told": lambda home, seed: Ideal(is_told=True),
     "oracle": lambda home, seed: Oracle(home),
 }
 
@@ -206,19 +201,30 @@ def _ratio(pairs: Sequence[Tuple[int, int]]) -> float:
     return sum(one for one, _ in pairs) / sum(other for _, other in pairs)
 
 
-def recovery(results: Dict[str, List[Result]], name: str) -> str:
-    """Return how many more failures than the oracle a policy has before and after a drift, as Markdown."""
-    before = [
-        (f"the {RECOVERY} before", [(drift - RECOVERY, drift) for drift in DRIFTS]),
-        *((f"{first + 1} to {end}", [(drift + first, drift + end) for drift in DRIFTS]) for first, end in AFTER_DRIFT),
+def extra(results: Dict[str, List[Result]], name: str, first: int, end: int) -> List[float]:
+    """Return how many more failures than the oracle a policy has, in 100 commands, by seed.
+
+    Args:
+        results: of each policy
+        name: of the policy
+        first: of the commands that count, after each drift; below 0: before it
+        end: the first that does not count
+    """
+    intervals = [(drift + first, drift + end) for drift in DRIFTS]
+    return [
+        100.0 * sum(one.between(*each) - other.between(*each) for each in intervals) / (len(DRIFTS) * (end - first))
+        for one, other in zip(results[name], results["oracle"])
     ]
-    lines = ["| commands after a drift | failures above the oracle's, for 100 commands |", "| --- | --- |"]
-    for title, intervals in before:
-        extra = [
-            100.0 * sum(one.between(*each) - other.between(*each) for each in intervals) / _length(intervals)
-            for one, other in zip(results[name], results["oracle"])
-        ]
-        lines.append("| {} | {:+.1f} ± {:.1f} |".format(title, *interval(extra)))
+
+
+def recovery(results: Dict[str, List[Result]], names: Sequence[str]) -> str:
+    """Return how many more failures than the oracle policies have before and after a drift, as Markdown."""
+    titles = " | ".join(f"`{name}`" for name in names)
+    lines = [f"| commands after a drift | {titles} |", "| --- " * len(names) + "| --- |"]
+    for first, end in ((-BEFORE_DRIFT, 0), *AFTER_DRIFT):
+        title = f"{first + 1} to {end}" if first >= 0 else f"the {-first} before"
+        cells = ["{:+.1f} ± {:.1f}".format(*interval(extra(results, name, first, end))) for name in names]
+        lines.append(f"| {title} | {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
@@ -243,10 +249,6 @@ def still_asked(results: Dict[str, List[Result]], name: str, first: int, end: in
         ]
         shares.append(sum(asked) / len(asked))
     return interval(shares)
-
-
-def _length(intervals: Sequence[Tuple[int, int]]) -> int:
-    return sum(end - first for first, end in intervals)
 
 
 def table(results: Dict[str, List[Result]]) -> str:

@@ -19,7 +19,8 @@ from home_servers.frames import FRAMES
 from home_servers.skills import Skills
 from roboframenet_sim.home_state import Faults
 
-from .comparison import CHOOSERS, Chooser, Result
+from .chooser import Chooser
+from .comparison import CHOOSERS, Result
 from .simulation import Request
 
 LEFT, RIGHT = ARMS = ("left_arm", "right_arm")

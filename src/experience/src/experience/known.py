@@ -16,9 +16,9 @@ from experience.belief import CHANGED, OPEN, RATES, Belief, aged
 from experience.trial import Circumstances, Trial
 
 #: Probability that a server breaks or is mended between two trials of its frame.
-HAZARD = 0.003
+HAZARD = 0.004
 #: Where a server is weak, this share of its successes is left.
-_LEFT = 0.2
+_LEFT = 0.15
 #: How likely a server is to be weak in one value of each aspect, before any trial. Rooms and kinds of things often
 #: matter; one room together with one kind, or one single thing, seldom.
 _WEAK = (0.0, 0.12, 0.12, 0.01, 0.03)

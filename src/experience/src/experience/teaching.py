@@ -104,6 +104,9 @@ def _judge(asked: Asked, judgement: Judgement) -> Answer:
 
 
 _NO_DEED = "I remember nothing that I did."
+_NO_RULES = "I have no rules about my parts."
+#: Which rules are meant, by the constant that a lexical unit has in place of a server.
+_SERVERS_OF_RULES = {"all": slice(None), "last": slice(-1, None)}
 
 
 def prefer(asked: Asked) -> Answer:
@@ -146,14 +149,19 @@ def _teach(asked: Asked, kind: RuleKind, frame: str, thing: str, *, is_once: boo
 
 
 def take_back(asked: Asked) -> Answer:
-    """Drop the rules about some servers, for a purpose or all of them."""
+    """Drop the rules about some servers, for a purpose or all of them; or all rules, or the last one."""
     frame, thing = asked.purpose()
     about = frozenset(words_of(asked.server))
+    rules = asked.memory.rules
     found = tuple(
         rule
-        for rule in asked.memory.rules
+        for rule in rules
         if about <= frozenset(words_of(rule.server)) and frame in ("", rule.frame) and thing in ("", rule.thing)
     )
+    if asked.server in _SERVERS_OF_RULES:
+        found = rules[_SERVERS_OF_RULES[asked.server]]
+        if not found:
+            return Answer(_NO_RULES)
     if not found:
         return Answer(f'I have no rule about "{asked.server}".')
     asked.memory.take_back(found)
@@ -164,7 +172,7 @@ def tell_rules(asked: Asked) -> Answer:
     """Name the rules."""
     rules = asked.memory.rules
     if not rules:
-        return Answer("I have no rules about my parts.")
+        return Answer(_NO_RULES)
     more = f", and {len(rules) - _MOST_NAMED} more" if len(rules) > _MOST_NAMED else ""
     return Answer(f"My rules are: {'; '.join(rule.sentence for rule in rules[:_MOST_NAMED])}{more}.")
 

@@ -65,6 +65,16 @@ def test_rule_is_taken_back_and_the_opposite_one_replaced() -> None:
     assert said("taking_back_a_rule", memory, server="arm_a").sentence == 'I have no rule about "arm_a".'
 
 
+def test_last_rule_or_all_are_taken_back() -> None:
+    memory = Memory()
+    assert said("taking_back_a_rule", memory, server="all").sentence == "I have no rules about my parts."
+    for server in ("arm_a", "arm_b", "the left arm"):
+        said("avoiding_a_server", memory, server=server)
+    assert [rule.server for rule in said("taking_back_a_rule", memory, server="last").dropped] == ["left arm"]
+    assert len(said("taking_back_a_rule", memory, server="all").dropped) == 2
+    assert memory.rules == ()
+
+
 def test_unknown_server_makes_no_rule() -> None:
     answer = said("avoiding_a_server", Memory(), server="the third arm")
     assert answer == Answer('I have no server that is called "third arm".')

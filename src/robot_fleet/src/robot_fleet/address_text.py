@@ -193,6 +193,9 @@ class _Utterance:
         word = self._words[behind]
         following = self._words[behind + 1] if behind + 1 < len(self._words) else ""
         if word in _MARKS:
+            # "Beta, go to the hall, and Gamma, you go to the office."
+            at = behind + 2 if following in self._single["you"] else behind + 1
+            following = self._words[at] if at < len(self._words) else ""
             is_verb = following in self._verbs or following in self._single["behind_names"]
             return not needs_verb or is_verb or self._lists["polite"].length_at(self._words, behind + 1) > 0
         if word in self._single["before_you"]:

@@ -3,7 +3,7 @@
 import re
 from collections import deque
 from types import MappingProxyType
-from typing import Deque, Tuple
+from typing import Deque, FrozenSet, Tuple
 
 import numpy as np
 
@@ -34,7 +34,12 @@ LEAST_CRIES, SLOWEST_CRY_S = 3, 0.9
 BEFORE_S, BEHIND_S = 0.25, 0.1
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
 WINDOW_S, PERIOD_S = 1.5, 0.5
-_SEARCH, _CLEAR_SEARCH = "stop", "clear_stop"
+#: A clear stop has to be heard among all words of the dictionary with so many sounds, too: two or three of them sound
+#: like nearly anything that is said, where the words of talk are too few to have one that does.
+FEWEST_SOUNDS, MOST_SOUNDS = 2, 3
+#: Share of the words of talk and of these in that search.
+ANY_OTHER_SHARE = 0.9
+_SEARCH, _CLEAR_SEARCH, _ANY_WORD_SEARCH = "stop", "clear_stop", "any_word"
 #: Share of the frames of an utterance that are taken for the noise around it, and for its loudest part, percent.
 _QUIET_SHARE, _LOUD_SHARE = 15, 95
 #: Each utterance has its own mean of the spectrum, whatever was heard before it.
@@ -57,11 +62,17 @@ class StopSpotter:
         """
         words = voice_words()
         dictionary, unknown = pronounce([*words.other_words, *(word for way in words.stop for word in way)], known)
+        short = short_words(known, unlike=frozenset(dictionary))
+        searches = (
+            (_SEARCH, words.other_words, OTHER_SHARE),
+            (_CLEAR_SEARCH, words.other_words, CLEAR_OTHER_SHARE),
+            (_ANY_WORD_SEARCH, (*words.other_words, *short), ANY_OTHER_SHARE),
+        )
         ngrams = {
-            name: write_ngram(None, words.other_words, phrases=words.stop, without=unknown, other_share=share)
-            for name, share in ((_SEARCH, OTHER_SHARE), (_CLEAR_SEARCH, CLEAR_OTHER_SHARE))
+            name: write_ngram(None, others, phrases=words.stop, without=unknown, other_share=share)
+            for name, others, share in searches
         }
-        self._recogniser = PocketSphinx(dictionary, ngrams=ngrams, settings=_SETTINGS)
+        self._recogniser = PocketSphinx({**dictionary, **short}, ngrams=ngrams, settings=_SETTINGS)
         self._stream: Deque[bytes] = deque()
         self._since_look = 0
 
@@ -74,8 +85,7 @@ class StopSpotter:
             # In the search for noise, stops are so likely that some seconds of talk may be nothing else.
             return is_repeated_stop(self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words, spoken_s)
         if clearness_db >= CLEAR_DB:
-            words = self._words(_CLEAR_SEARCH, pcm, spoken_s)
-            return is_stop(" ".join(words))
+            return all(is_clear_stop(self._words(one, pcm, spoken_s)) for one in (_CLEAR_SEARCH, _ANY_WORD_SEARCH))
         # What is before and behind a word in noise is sometimes heard as a part of it.
         closer = pcm[_bytes(BEFORE_S) : len(pcm) - _bytes(BEHIND_S)]
         return any(is_heard_stop(self._words(_SEARCH, part, spoken_s)) for part in (pcm, closer) if part)
@@ -133,6 +143,34 @@ def is_repeated_stop(words: Words, spoken_s: float) -> bool:
     """
     is_quick = spoken_s <= SLOWEST_CRY_S * len(words)
     return len(words) >= LEAST_CRIES and is_quick and all(map(is_stop, words))
+
+
+def short_words(known: Dictionary, *, unlike: FrozenSet[str]) -> Dictionary:
+    """Return the short words of a dictionary that sound like none of some words.
+
+    Args:
+        known: sounds of words
+        unlike: words of the dictionary
+    """
+    taken = frozenset(way for word in unlike for way in known.get(word, ()))
+    return {
+        word: ways
+        for word, ways in known.items()
+        if FEWEST_SOUNDS <= min(len(way.split()) for way in ways) <= MOST_SOUNDS
+        and word.isalpha()
+        and word not in unlike
+        and not taken.intersection(ways)
+    }
+
+
+def is_clear_stop(words: Words) -> bool:
+    """Whether words that were heard clearly stop the robot.
+
+    Words of talk are searched for, so that something else than a stop can be heard: "don't" and "end it" are such
+    words, though they stop the robot when they are written.
+    """
+    said = voice_words().stop
+    return is_stop(" ".join(words)) and any(word in way and is_stop(word) for way in said for word in words)
 
 
 def is_heard_stop(words: Words) -> bool:

@@ -15,9 +15,11 @@ from voice_recognition.spotting import (
     LONGEST_S,
     StopSpotter,
     clearness_and_length,
+    is_clear_stop,
     is_heard_stop,
     is_repeated_stop,
     says_stop,
+    short_words,
 )
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -88,10 +90,28 @@ def test_a_cry_is_nothing_but_a_word_that_stops(words: str, spoken_s: float, is_
 
 
 @pytest.mark.parametrize(
-    "text", ["good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no", "a report"]
+    "text",
+    [
+        *("good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no", "a report"),
+        *("sorry", "count"),  # the words of talk have none that sounds like these
+    ],
 )
 def test_other_words_are_no_stop(spotter: StopSpotter, text: str) -> None:
     assert not spotter.is_stop(with_silence(speech(text), before_s=0.5, after_s=0.4))
+
+
+@pytest.mark.parametrize(
+    "words, stops",
+    [("stop", True), ("stop it", True), ("halt", True), ("don't", False), ("end it", False), ("don't stop", False)],
+)
+def test_words_of_talk_are_no_stop_when_they_are_heard(words: str, stops: bool) -> None:
+    assert is_clear_stop(tuple(words.split())) is stops
+
+
+def test_short_words_sound_like_none_of_the_words_of_talk() -> None:
+    known = {"stop": ("S T AA P",), "stopp": ("S T AA P",), "top": ("T AA P",), "tapp": ("T AE P",), "by": ("B AY",)}
+    known.update({"bye": ("B AY",), "a": ("AH",), "e.g.": ("IY JH",)})
+    assert set(short_words(known, unlike=frozenset(["stop", "by"]))) == {"top", "tapp"}
 
 
 @pytest.mark.parametrize(
