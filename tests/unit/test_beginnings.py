@@ -1,19 +1,13 @@
 """Sentences that say when they begin, while something runs, and how each begins."""
 
-import os
-from pathlib import Path
-
 import pytest
 from roboframenet_msgs.msg import Plan
 
 from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
-from offline_pipeline.knowledge import load_knowledge, pretend_servers
-from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Question, Understood, read
 
-DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
 BEGINNINGS = {
     "Then go to the kitchen.": "FOLLOW",
     "And then go to the kitchen.": "FOLLOW",
@@ -32,13 +26,6 @@ BEGINNINGS = {
     "Go to Anna's.": "REPLACE",  # "'s" ends like "afterwards"
     "Go to the kitchen, then say hello.": "REPLACE",
 }
-
-
-@pytest.fixture(scope="module")
-def pipeline():
-    knowledge = load_knowledge([str(DOMAINS)])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def read_in(pipeline, text, context=None):

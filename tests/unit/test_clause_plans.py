@@ -1,8 +1,6 @@
 """Sentences that say how often or for how long, and the tree that each means."""
 
-import os
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from roboframenet_msgs.msg import CommandLexicalUnits, Plan
@@ -11,19 +9,8 @@ from arbitrator.plan import Do, InSequence, Repeat, Until
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
-from offline_pipeline.knowledge import load_knowledge, pretend_servers
-from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
-
-DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
-
-
-@pytest.fixture(scope="module")
-def pipeline():
-    knowledge = load_knowledge([str(DOMAINS)])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def drawn(plan):

@@ -16,7 +16,6 @@ from roboframenet_msgs.msg import CommandLexicalUnits
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.ros_messages import conditions_in, to_clauses, to_plan
 from frame_registrar.search import Refusal, search
-from offline_pipeline.knowledge import load_knowledge, pretend_servers
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.clause_plan import LEAVES, PlanPart, plan_of
@@ -24,7 +23,6 @@ from semantic_framer.framer import Understood, read
 from semantic_framer.reading import Reading
 
 FOLDER = Path(os.path.realpath(__file__)).parent
-DOMAINS = FOLDER.parents[1] / "src" / "roboframenet_domains" / "domains"
 #: Orders for later; a firing of one is a command, and has a machine of its own.
 STANDING_ORDERS = ("AT(", "WHENEVER(")
 
@@ -32,13 +30,6 @@ STANDING_ORDERS = ("AT(", "WHENEVER(")
 def lines_of(name: str) -> List[Tuple[str, str]]:
     rows = (FOLDER / name).read_text(encoding="utf-8").splitlines()
     return [(text, meant) for text, meant, *_ in (row.split("\t") for row in rows)]
-
-
-@pytest.fixture(scope="module")
-def pipeline():
-    knowledge = load_knowledge([str(DOMAINS)])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def drawn(part: PlanPart, clauses: Sequence[Tuple[Reading, ...]], places: Iterator[int]) -> str:

@@ -10,7 +10,6 @@ import pytest
 from home_questions.judging import TEMPLATES, Asker, Question, Verdict, judge
 from home_questions.states import Scene, known_of, scene_of
 
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from question_answering.answers import ANSWERS, answer
 from question_answering.robot_knowledge import RobotKnowledge
@@ -19,13 +18,6 @@ from typed_arguments import TypedArgument
 QUESTIONS_OF_A_SCENE = 5
 #: The figures that must be reached, of a hundred.
 LEAST_RIGHT = 95
-
-
-@pytest.fixture(scope="module")
-def pipeline() -> Pipeline:
-    knowledge = load_knowledge([shipped_domains()])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[str]:

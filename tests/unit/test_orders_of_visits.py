@@ -1,21 +1,6 @@
 """Goals in an order, and places that the robot keeps out of on its way."""
 
-import os
-from pathlib import Path
-
 import pytest
-
-from offline_pipeline.knowledge import load_knowledge, pretend_servers
-from offline_pipeline.pipeline import Pipeline
-
-DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
-
-
-@pytest.fixture(scope="module")
-def pipeline():
-    knowledge = load_knowledge([str(DOMAINS)])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def read(pipeline, text):

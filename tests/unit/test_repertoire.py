@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 
 TABLE = yaml.safe_load((Path(__file__).resolve().parent / "repertoire.yaml").read_text(encoding="utf-8"))
@@ -14,13 +14,6 @@ KNOWLEDGE = load_knowledge([shipped_domains()])
 ONE_VERB = {"docking", "nodding", "reminding"}
 #: Anything may be awaited, followed, inspected and made sure of.
 ANYTHING = {"awaiting", "following", "inspecting", "verifying"}
-
-
-@pytest.fixture(scope="module")
-def pipeline() -> Pipeline:
-    knowledge = load_knowledge([shipped_domains()])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 @pytest.mark.parametrize(

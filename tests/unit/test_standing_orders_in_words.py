@@ -1,8 +1,5 @@
 """Sentences that give a standing order, or say when they begin, and the plan that each means."""
 
-import os
-from pathlib import Path
-
 import pytest
 from roboframenet_msgs.msg import CommandLexicalUnits, Plan
 
@@ -10,19 +7,8 @@ from arbitrator.ros_messages import any_from_message
 from arbitrator.standing import STANDING
 from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
-from offline_pipeline.knowledge import load_knowledge, pretend_servers
-from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Question, Understood, read
-
-DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
-
-
-@pytest.fixture(scope="module")
-def pipeline():
-    knowledge = load_knowledge([str(DOMAINS)])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def outcome_of(pipeline, text):
