@@ -3,7 +3,7 @@
 from itertools import count
 
 import pytest
-from test_control_sentences import drawn, pipeline  # noqa: F401 - a fixture
+from test_control_sentences import drawn
 
 from semantic_framer.clause_plan import plan_of
 from semantic_framer.dialogue import Context
@@ -52,7 +52,7 @@ QUESTIONS = {
 
 
 @pytest.mark.parametrize("said", ANSWERS)
-def test_answer_completes_the_command(pipeline, said):  # noqa: F811 - the fixture
+def test_answer_completes_the_command(pipeline, said):
     context = Context()
     for text in said:
         outcome, context = read(
@@ -67,6 +67,6 @@ def test_answer_completes_the_command(pipeline, said):  # noqa: F811 - the fixtu
 
 
 @pytest.mark.parametrize("text", QUESTIONS)
-def test_question_repeats_what_was_said(pipeline, text):  # noqa: F811 - the fixture
+def test_question_repeats_what_was_said(pipeline, text):
     outcome, _ = read(pipeline.parse(text), pipeline.knowledge.lexicon, pipeline.knowledge.frames)
     assert outcome.sentence == QUESTIONS[text]
