@@ -99,15 +99,15 @@ def is_asked_about_elsewhere(filled: Filled) -> bool:
 def is_numbered_place(filled: Filled) -> bool:
     """Whether a number is taken for the place of something: "set the vase to 20", or for a part of the place behind it:
     "go on three hundred to the door"."""
+    if not filled.roles & PLACES:
+        return False
     children = filled.tree.children(filled.head.index)
-    cases = [child.index for child in children if child.deprel == "case"]
-    first = min(cases, default=0)
-    if filled.roles & PLACES and any(child.deprel == "nummod" and child.index < first for child in children):
+    counts = [child.index for child in children if child.deprel == "nummod"]
+    first = min((child.index for child in children if child.deprel == "case"), default=0)
+    if any(index < first for index in counts):
         return True
-    is_share = filled.head.lemma.lower() in _SHARES and any(
-        child.deprel == "nummod" for child in filled.tree.children(filled.head.index)
-    )
-    if not filled.roles & PLACES or not (filled.head.upos == "NUM" or is_share):
+    is_share = filled.head.lemma.lower() in _SHARES and bool(counts)
+    if filled.head.upos != "NUM" and not is_share:
         return False
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}

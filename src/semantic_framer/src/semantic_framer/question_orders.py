@@ -2,10 +2,11 @@
 
 from typing import Iterator, List, Sequence, Tuple
 
+from semantic_framer.question_words import length_in_front, phrases_of
 from utterance_passes.tree import Word
 from word_classes import word_class
 
-_OPENINGS = tuple(tuple(opening.split()) for opening in sorted(word_class("question_openings"), key=len, reverse=True))
+_OPENINGS = phrases_of("question_openings")
 _BE = word_class("forms_of_be")
 _INVERTED = _BE | word_class("forms_of_have")
 _DO = word_class("forms_of_do")
@@ -19,7 +20,7 @@ _LONGEST_FRONT = 4
 
 def length_of_opening(forms: Sequence[str]) -> int:
     """Return the number of words in front of an indirect question: 4 for "i want to know"; 0 for none."""
-    return next((len(opening) for opening in _OPENINGS if tuple(forms[: len(opening)]) == opening), 0)
+    return length_in_front(_OPENINGS, forms)
 
 
 def direct_orders(words: Sequence[Word]) -> Iterator[Tuple[Word, ...]]:

@@ -2,7 +2,7 @@
 
 import re
 from functools import lru_cache
-from typing import Mapping, Pattern
+from typing import Mapping, Pattern, Sequence, Tuple
 
 from semantic_frames.lexical_unit import WordPattern
 from word_classes import word_class
@@ -16,6 +16,17 @@ _WORDS_OF_SLOTS: Mapping[str, str] = {
     "word": r"\S+",
     "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
 }
+
+
+def phrases_of(*classes: str) -> Tuple[Tuple[str, ...], ...]:
+    """Return the words of the phrases of word classes, the longest phrase first."""
+    phrases = {tuple(phrase.split()) for name in classes for phrase in word_class(name)}
+    return tuple(sorted(phrases, key=lambda words: (-len(words), words)))
+
+
+def length_in_front(phrases: Sequence[Tuple[str, ...]], forms: Sequence[str]) -> int:
+    """Return the number of words of the first of some phrases that words in lower case begin with; 0 for none."""
+    return next((len(phrase) for phrase in phrases if tuple(forms[: len(phrase)]) == phrase), 0)
 
 
 @lru_cache(maxsize=1024)

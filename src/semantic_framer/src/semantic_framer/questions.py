@@ -5,7 +5,7 @@ from typing import List, Mapping, Optional, Sequence, Tuple
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
-from semantic_framer.question_words import compiled
+from semantic_framer.question_words import compiled, length_in_front, phrases_of
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
@@ -18,17 +18,10 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import Word
 from word_classes import word_class
 
-
-def _phrases(*classes: str) -> Tuple[Tuple[str, ...], ...]:
-    """Return the words of the phrases of word classes, the longest phrase first."""
-    phrases = {tuple(phrase.split()) for name in classes for phrase in word_class(name)}
-    return tuple(sorted(phrases, key=lambda words: (-len(words), words)))
-
-
 _PADDING = word_class("question_padding")
-_COURTESIES = _phrases("question_courtesies")
-_ENDINGS = _phrases("question_endings", "question_courtesies")
-_EXPLETIVES = _phrases("question_expletives")
+_COURTESIES = phrases_of("question_courtesies")
+_ENDINGS = phrases_of("question_endings", "question_courtesies")
+_EXPLETIVES = phrases_of("question_expletives")
 _ASKING = word_class("question_words")
 _NEGATIONS = word_class("negations")
 _DETERMINERS = word_class("determiners")
@@ -130,16 +123,14 @@ def _words(sentence: Sentence) -> List[Word]:
         if not in_front and not behind:
             break
         words = words[in_front : len(words) - behind]
-    if len(words) > 1 and words[0].form.lower() in _ASKING:
-        forms = [word.form.lower() for word in words[1:]]
-        del words[1 : 1 + next((len(one) for one in _EXPLETIVES if tuple(forms[: len(one)]) == one), 0)]
+    if words and words[0].form.lower() in _ASKING:
+        del words[1 : 1 + length_in_front(_EXPLETIVES, [word.form.lower() for word in words[1:]])]
     return words
 
 
 def _length_in_front(forms: Sequence[str]) -> int:
     """Return the number of words that stand in front of a question: 2 for "excuse me, where is the mug"."""
-    found = next((len(one) for one in _COURTESIES if tuple(forms[: len(one)]) == one), 0)
-    return found or int(forms[0] in _PADDING)
+    return length_in_front(_COURTESIES, forms) or int(forms[0] in _PADDING)
 
 
 def _length_behind(forms: Sequence[str]) -> int:

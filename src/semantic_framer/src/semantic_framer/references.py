@@ -12,7 +12,7 @@ from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
-from typed_arguments import Source, TypedArgument
+from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
 from word_classes import word_class
@@ -33,6 +33,7 @@ _INSIDE = word_class("prepositions_of_containers")
 def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[Reading, TypedArgument]:
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
+    frame = known.frames[reading.unit.frame_name]
     things = context.things
     place = context.place
     container = _container_meant(reading, things, known.types)
@@ -45,7 +46,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
-        element = known.frames[reading.unit.frame_name].element(value.name)
+        element = frame.element(value.name)
         is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
@@ -80,11 +81,6 @@ def _is_device(place: str, thing: str, types: WordTypes) -> bool:
     of_thing = [types.of_noun([word]).fit([_DEVICE]) for word in noun_phrase(thing)]
     is_no_device = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
     return is_no_device and types.of_noun(noun_phrase(place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
-
-
-def is_inferred(argument: TypedArgument) -> bool:
-    """Whether an argument has its text from what was said before."""
-    return argument.source is Source.INFERRED
 
 
 def noun_phrase(text: str) -> List[str]:

@@ -25,13 +25,13 @@ from semantic_framer.outcome import (
     left_over_refusal,
 )
 from semantic_framer.reading import Reading
-from semantic_framer.references import is_inferred, noun_phrase, remember, resolve, resolve_in_parallel
+from semantic_framer.references import noun_phrase, remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
 from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of, unknown_arguments
 from semantic_frames.frame import UnknownPolicy
 from semantic_frames.semantic_type import SEMANTIC_TYPES
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
@@ -164,11 +164,7 @@ def _settled(
         for readings in done
         if policy.confirms
         and now.known.frames[readings[0].unit.frame_name].wants_yes(
-            {
-                # "Go to the oven and turn it on": what the pronoun stands for counts.
-                one.name: (one.text, one.lemma, one.semantic_type, *(noun_phrase(one.text) if is_inferred(one) else ()))
-                for one in readings[0].arguments
-            }
+            {one.name: _words_to_confirm(one) for one in readings[0].arguments}
         )
     ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
@@ -206,6 +202,15 @@ class _Open:
     elements: Tuple[str, ...]
     choices: Tuple[str, ...] = ()
     offered: Tuple[str, ...] = ()
+
+
+def _words_to_confirm(argument: TypedArgument) -> Tuple[str, ...]:
+    """Return what is compared with the words of a frame that wants a yes.
+
+    In "go to the oven and turn *it* on", what the pronoun stands for counts.
+    """
+    meant = noun_phrase(argument.text) if argument.source is Source.INFERRED else ()
+    return (argument.text, argument.lemma, argument.semantic_type, *meant)
 
 
 def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Union[Tuple[Reading, ...], _Open]:

@@ -3,6 +3,7 @@
 from typing import FrozenSet
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.clauses import has_case
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -197,14 +198,10 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
         thing = tree.word(word.head)
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
         is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
-        return thing.deprel == "obj" and not is_of_all and not _has_any_case(tree, word) and _is_last(tree, word)
+        return thing.deprel == "obj" and not is_of_all and not has_case(tree, word) and _is_last(tree, word)
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
-
-
-def _has_any_case(tree: DependencyTree, word: Word) -> bool:
-    return any(child.deprel == "case" for child in tree.children(word.index))
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:

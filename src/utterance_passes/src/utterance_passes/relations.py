@@ -75,9 +75,9 @@ def with_commands_behind_statements(tree: DependencyTree, vocabulary: Vocabulary
         first = min(tree.subtree(verb.index))
         is_bare = verb.upos == "VERB" and verb.xpos in _BARE_TAGS and verb.form.lower() == verb.lemma.lower()
         is_apart = tree.word(first).form == "," and tree.word(first).head == verb.index
-        if verb.deprel not in ("conj", "xcomp", "advcl") or not (is_bare and is_apart and first < verb.index):
+        if verb.deprel not in ("conj", "xcomp", "advcl") or not (is_bare and is_apart and first + 1 == verb.index):
             continue
-        if relations & _OF_FINITE or not is_verb(vocabulary, verb) or first + 1 != verb.index:
+        if relations & _OF_FINITE or not is_verb(vocabulary, verb):
             continue
         above = governor
         while above.deprel in ("conj", "xcomp") and above.head:

@@ -60,10 +60,7 @@ def without_half_a_phrase(spelling: Spelling) -> Spelling:
     mug*"."""
     for match in _BROKEN_PHRASE.finditer(spelling.text):
         if ADJECTIVE in parts_of_speech(match.group("property").lower()):
-            start, end = match.start(), match.start("again")
-            return Spelling(
-                spelling.text[:start] + spelling.text[end:], spelling.origins[:start] + spelling.origins[end:]
-            )
+            return spelling.without(match.start(), match.start("again"))
     return spelling
 
 
@@ -94,10 +91,7 @@ def without_less_precise(spelling: Spelling, vocabulary: Verbs) -> Spelling:
             continue
         if any(find_number(form) is not None for form in said) or all(find_number(form) is None for form in again):
             continue
-        start, behind = words[first].start(), words[second].start()
-        return Spelling(
-            spelling.text[:start] + spelling.text[behind:], spelling.origins[:start] + spelling.origins[behind:]
-        )
+        return spelling.without(words[first].start(), words[second].start())
     return spelling
 
 

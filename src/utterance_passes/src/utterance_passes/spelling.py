@@ -51,6 +51,10 @@ class Spelling:
         """Return the part between two positions of the rewritten text."""
         return Spelling(self.text[start:end], self.origins[start : end + 1])
 
+    def without(self, start: int, end: int) -> "Spelling":
+        """Return the spelling without the part between two positions of the rewritten text."""
+        return Spelling(self.text[:start] + self.text[end:], self.origins[:start] + self.origins[end:])
+
 
 def as_said(text: str) -> Spelling:
     """Return the spelling of a text before any rewriting."""
@@ -128,9 +132,7 @@ def without_false_starts(spelling: Spelling) -> Spelling:
         again = behind.group().lower() if behind else ""
         start = next((word.start() for word in reversed(before) if word.group().lower() == again), match.start())
         end = behind.start() if behind else match.end()
-        spelling = Spelling(
-            spelling.text[:start] + spelling.text[end:], spelling.origins[:start] + spelling.origins[end:]
-        )
+        spelling = spelling.without(start, end)
 
 
 def without_repeated_starts(spelling: Spelling) -> Spelling:
@@ -141,12 +143,7 @@ def without_repeated_starts(spelling: Spelling) -> Spelling:
         for first in range(len(forms) - 2 * length):
             second = first + length
             if forms[first:second] == forms[second : second + length] and forms[second - 1] in _UNFINISHED:
-                start, end = words[first].start(), words[second].start()
-                return without_repeated_starts(
-                    Spelling(
-                        spelling.text[:start] + spelling.text[end:], spelling.origins[:start] + spelling.origins[end:]
-                    )
-                )
+                return without_repeated_starts(spelling.without(words[first].start(), words[second].start()))
     return spelling
 
 
@@ -166,8 +163,4 @@ def without_hesitation(spelling: Spelling) -> Spelling:
     match = next((one for one in found if not _BEFORE_KNOWING.search(spelling.text[: one.start()])), None)
     if match is None or not spelling.text[match.end() :].strip(" .!?,"):
         return spelling
-    made = Spelling(
-        spelling.text[: match.start()] + spelling.text[match.end() :],
-        spelling.origins[: match.start()] + spelling.origins[match.end() :],
-    )
-    return without_hesitation(made)
+    return without_hesitation(spelling.without(match.start(), match.end()))
