@@ -5,12 +5,14 @@ from dataclasses import replace
 from typing import Callable, Dict, List, Sequence
 
 from question_answering.answers_about_deeds import ABOUT_DEEDS
+from question_answering.answers_about_holders import ABOUT_HOLDERS
 from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
     MOST_NAMED,
     Arguments,
     at_location,
+    definite,
     found_of,
     full_name,
     indefinite,
@@ -33,7 +35,7 @@ from referring_expressions.describing import (
     noun_of,
     place_of,
 )
-from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative
+from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative, most_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import spoken
 from typed_arguments import Modifier, TypedArgument
@@ -142,7 +144,7 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     if "state" in arguments:
         state = arguments["state"].text.lower()
         found = tuple(one for one in found if state in one.states)
-        where += f" that are {state}"
+        where += f" that {'is' if len(found) == 1 else 'are'} {state}"
     if "location" in arguments and not is_known_place(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:
@@ -181,6 +183,8 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
 
 def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
+    if "alternative" in arguments:
+        return _place(arguments, known)
     candidates = found_of(theme, known, is_wide=True)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
     if "location" in arguments and not is_known_place(arguments["location"], known):
@@ -245,21 +249,23 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
 
 def _which(arguments: Arguments, known: RobotKnowledge) -> str:
     theme, rank = arguments["theme"], arguments.get("rank")
-    if rank is not None:
-        theme = replace(theme, modifiers=(*theme.modifiers, Modifier("superlative", rank.text, rank.text)))
     superlatives = tuple(one for one in theme.modifiers if is_superlative(one))
+    if rank is not None:
+        superlatives += (Modifier("superlative", rank.text, rank.text),)
     words = {one.word.lower() for one in superlatives}
     others = replace(
         theme,
         text=" ".join(word for word in theme.text.split() if word.lower() not in words),
         modifiers=tuple(one for one in theme.modifiers if one not in superlatives),
     )
-    candidates = fitting(others, known.situation, is_wide=True)
+    candidates = at_location(arguments, fitting(others, known.situation, is_wide=True), known)
+    if not candidates and "location" in arguments:
+        return f"I know of no {bare_noun(others)} {arguments['location'].words}."
     if not candidates:
         return unknown_of(others)
     if not superlatives:
         return f"I know of {join_with_and(indefinite(candidates))}."
-    found = fitting(theme, known.situation, is_wide=True)
+    found = most_of(candidates, superlatives, known.situation)
     if not found:
         return f"I do not know which {bare_noun(others)} is the {superlatives[0].word.lower()}."
     place = place_of(found[0], known.world)
@@ -273,7 +279,8 @@ def _owner(arguments: Arguments, known: RobotKnowledge) -> str:
         return unknown_of(theme)
     owners = [(one, known.world.owners(one)) for one in found]
     if not any(persons for _, persons in owners):
-        return f"I do not know whom {as_said(theme)} {'belongs' if len(found) == 1 else 'belong'} to."
+        belongs = f"{definite(theme)} {'belong' if theme.is_plural else 'belongs'}"
+        return f"I do not know whom {belongs} to."
     if len(found) == 1:
         return f"{with_capital(name_for(theme, found[0]))} belongs to {join_with_and(map(name_of, owners[0][1]))}."
     parts = [
@@ -344,5 +351,6 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_speaker": _speaker,
     BEING_NAMED: _being_named,
     **ABOUT_DEEDS,
+    **ABOUT_HOLDERS,
     **ABOUT_STATES,
 }

@@ -1,23 +1,26 @@
 """Answers to questions about the states of things: "Is the door open?", "Which lamps are on?"."""
 
-from typing import Callable, Dict, FrozenSet
+from typing import Callable, Dict, FrozenSet, Mapping
 
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
     MOST_NAMED,
     Arguments,
+    Objects,
     at_location,
+    definite,
     found_of,
     full_name,
     is_known_place,
-    lower,
     name_for,
     verb_of,
 )
 from referring_expressions import unknown_of
-from referring_expressions.describing import as_said, bare_noun, place_of
+from referring_expressions.describing import bare_noun, is_plural_noun, place_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
+from typed_arguments import TypedArgument
 from word_classes import word_class
+from world_model import Sort, WorldObject
 from world_model.knowledge import OPPOSITES
 
 #: What other words for a state mean.
@@ -27,35 +30,71 @@ _STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(wo
 def state(arguments: Arguments, known: RobotKnowledge) -> str:
     """Say whether something is in a state."""
     theme, meant = arguments["theme"], _meant(arguments)
-    found = found_of(theme, known)
-    if not found:
+    everything = found_of(theme, known)
+    if not everything:
         return unknown_of(theme)
-    opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if meant in words)) - {meant}
-    verdicts = {True if meant in one.properties else False if opposites & set(one.states) else None for one in found}
-    name = with_capital(name_for(theme, found[0])) if len(found) == 1 else with_capital(as_said(theme))
-    verb = verb_of(found, name)
+    found = at_location(arguments, everything, known)
+    if not found:
+        return f"I know of no {bare_noun(theme)} {arguments['location'].words}."
+    actual = {one.id: _actual(one, meant) for one in found}
+    verdicts = {None if not word else word == meant for word in actual.values()}
     is_choice = "alternative" in arguments
-    if verdicts == {True}:
-        return f"{name} {verb} {meant}." if is_choice else f"Yes, {lower(name)} {verb} {meant}."
-    if verdicts == {False}:
-        actual = next(iter(sorted(opposites & set(found[0].states))))
-        return f"{name} {verb} {actual}." if is_choice else f"No, {lower(name)} {verb} {actual}."
-    if None in verdicts:
-        return f"I do not know whether {lower(name)} {verb} {meant}."
-    return f"Some of them are {meant}, and some are not."
+    if len(verdicts) > 1:
+        return _of_several(theme, found, actual, meant, known)
+    verdict = verdicts.pop()
+    name = name_for(theme, found[0]) if len(found) == 1 else definite(theme)
+    if verdict is None:
+        return f"I do not know whether {name} {_verb(theme, found, name)} {meant}."
+    said = f"{name} {_verb(theme, found, name)} {actual[found[0].id]}."
+    return with_capital(said) if is_choice else f"{'Yes' if verdict else 'No'}, {said}"
+
+
+def _verb(theme: TypedArgument, found: Objects, name: str) -> str:
+    return verb_of(found, name) if len(found) == 1 or theme.is_plural or theme.quantifier == "all" else "is"
+
+
+def _actual(one: WorldObject, meant: str) -> str:
+    """Return the state that something is in: the one that is meant, or an opposite of it; empty when unknown."""
+    if meant in one.properties:
+        return meant
+    opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if meant in words)) - {meant}
+    return next(iter(sorted(opposites & set(one.states))), "")
+
+
+def _of_several(
+    theme: TypedArgument, found: Objects, actual: Mapping[str, str], meant: str, known: RobotKnowledge
+) -> str:
+    """Return what is known of several things that are in different states: "the red mug is clean, ..."."""
+    parts = []
+    for word in sorted(set(actual.values()), key=lambda word: (word != meant, not word, word)):
+        alike = [one for one in found if actual[one.id] == word]
+        named = [f"{full_name(one)} {place_of(one, known.world)}".strip() for one in alike[:MOST_NAMED]]
+        if len(alike) > MOST_NAMED:
+            named.append(f"{len(alike) - MOST_NAMED} more")
+        verb = "is" if len(alike) == 1 and not is_plural_noun(full_name(alike[0])) else "are"
+        names = join_with_and(named)
+        parts.append(f"{names} {verb} {word}" if word else f"I do not know about {names}")
+    answers = {"all": "No", "every": "No", "each": "No", "both": "No"} if set(actual.values()) - {meant, ""} else {}
+    answers.update(dict.fromkeys(("a", "any", "some"), "Yes") if meant in actual.values() else {})
+    told = ". ".join(with_capital(part) for part in parts)
+    begin = answers.get(theme.quantifier)
+    return f"{begin}. {told}." if begin else f"{told}."
 
 
 def those_in_state(arguments: Arguments, known: RobotKnowledge) -> str:
     """Name the things of a kind that are in a state, and where they are."""
-    theme, meant, location = arguments["theme"], _meant(arguments), arguments.get("location")
+    theme, meant, location = arguments.get("theme"), _meant(arguments), arguments.get("location")
     if location is not None and not is_known_place(location, known):
         return f'I do not know of any place "{location.text}".'
-    everything = found_of(theme, known, is_wide=True)
-    if not everything:
+    persons = tuple(one for one in known.world.objects if one.sort is Sort.PERSON)
+    everything = found_of(theme, known, is_wide=True) if theme is not None else persons
+    if not everything and theme is not None:
         return unknown_of(theme)
     found = tuple(one for one in at_location(arguments, everything, known) if meant in one.properties)
     where = f" {location.words}" if location is not None else ""
-    if not found:
+    if not found and theme is None:
+        return f"I know of nobody{where} who is {meant}."
+    if not found and theme is not None:
         return f"I know of no {bare_noun(theme)}{where} that {'are' if theme.is_plural else 'is'} {meant}."
     names = [f"{full_name(one)} {'' if location is not None else place_of(one, known.world)}".strip() for one in found]
     if len(names) > MOST_NAMED:

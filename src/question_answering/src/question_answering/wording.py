@@ -59,7 +59,7 @@ def is_definite(theme: TypedArgument) -> bool:
 def name_for(theme: TypedArgument, one: WorldObject) -> str:
     """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
     is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
-    return _definite(theme) if is_its_noun and not one.name else name_of(one)
+    return definite(theme) if is_its_noun and not one.name else name_of(one)
 
 
 def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
@@ -70,7 +70,8 @@ def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
     return bool(one.names) and one.sort is not Sort.PERSON and noun_of(one) in said and not named & said
 
 
-def _definite(theme: TypedArgument) -> str:
+def definite(theme: TypedArgument) -> str:
+    """Return a phrase for the one thing that is meant: "the mug" for "a mug" and for "mug" in "whose mug is this"."""
     if theme.quantifier in ("a", "any", "some", ""):
         return f"the {bare_noun(theme)}" if theme.possessor is None else as_said(theme)
     return as_said(theme)
@@ -110,8 +111,3 @@ def verb_of(found: Sequence[WorldObject], noun: str) -> str:
 def reported(one: WorldObject) -> str:
     """Return who told where a person is: ", as Ben said"; empty if the robot has seen it."""
     return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
-
-
-def lower(text: str) -> str:
-    """Return a phrase as it stands inside a sentence: "the mug" for "The mug"."""
-    return text[:1].lower() + text[1:] if text.startswith(("The ", "Your ", "A ", "An ")) else text

@@ -22,6 +22,7 @@ _PERSON_NOUNS = word_class("general_person_nouns")
 _PLACE_NOUNS = word_class("general_place_nouns")
 _PRONOUNS = word_class("pronouns")
 _PRONOUNS_OF_PLACES = word_class("here_and_there")
+_PORTIONS = word_class("measure_nouns")
 _SMALL = word_class("small_superlatives")
 _SPEAKER = word_class("speaker_possessors")
 _STANDINS = word_class("noun_standins")
@@ -64,6 +65,9 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
         situation: what is known
         is_wide: whether an armchair counts as a chair even if there are chairs: "how many chairs"
     """
+    lemma = argument.lemma.lower()
+    if argument.complement is not None and lemma in _PORTIONS and not situation.world.exactly(lemma):
+        argument = _without_portion(argument, argument.complement)
     found = _by_head(argument, situation, is_wide)
     if argument.quantifier in ("other", "another") and situation.spoken_of:
         found = tuple(one for one in found if one.id != situation.spoken_of[0])
@@ -87,6 +91,17 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
         elif modifier.kind == "ordinal":
             found = found if len(found) == 1 else ()
     return found
+
+
+def _without_portion(argument: TypedArgument, whole: TypedArgument) -> TypedArgument:
+    """Return what a portion is of: "the biggest furniture" for "the biggest piece of furniture"."""
+    return replace(
+        whole,
+        quantifier=argument.quantifier,
+        modifiers=(*argument.modifiers, *whole.modifiers),
+        possessor=argument.possessor or whole.possessor,
+        frames=(*argument.frames, *whole.frames),
+    )
 
 
 def is_of_unknown_speaker(argument: TypedArgument, situation: Situation) -> bool:
@@ -192,10 +207,14 @@ def described(objects: Objects, description: EmbeddedFrame, situation: Situation
 
 
 def at_place(objects: Objects, place: TypedArgument, situation: Situation) -> Objects:
-    """Return the objects that are at a place: "on the table", "on the left", "in front of the sofa"."""
+    """Return the objects that are at a place: "on the table", "on the left", "in the kitchen or in the hall"."""
     if place.direction in ("left", "right"):
         return _outermost(objects, place.direction, situation)
-    there = situation.world.at(place.relation, fitting(place, replace(situation, offered=())), objects)
+    there: Set[str] = set()
+    for one in place.members or (place,):
+        is_here = one.head.lower() in _PRONOUNS_OF_PLACES
+        relation = one.relation or place.relation or ("in" if is_here else "")
+        there |= situation.world.at(relation, fitting(one, replace(situation, offered=())), objects)
     return tuple(one for one in objects if one.id in there)
 
 
@@ -215,6 +234,13 @@ def _outermost(objects: Objects, side: str, situation: Situation) -> Objects:
 def is_superlative(modifier: Modifier) -> bool:
     """Whether a modifier asks for the most of something; the parser takes "nearest" for an adjective."""
     return modifier.kind == "superlative" or modifier.word.lower() in _NEAR | _FAR
+
+
+def most_of(objects: Objects, superlatives: Iterable[Modifier], situation: Situation) -> Objects:
+    """Return the object with the most of some properties; none when it is not known of any."""
+    for modifier in superlatives:
+        objects = _most(objects, modifier, situation)
+    return objects
 
 
 def _most(objects: Objects, modifier: Modifier, situation: Situation) -> Objects:

@@ -10,6 +10,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ALL = word_class("words_for_all")
+_ASKING = frozenset(["what", "which", "who"])
 _CONTRASTS = word_class("contrasts")
 _EXCEPTIONS = word_class("exceptions_of_all")
 _GOING = word_class("verbs_of_going")
@@ -48,6 +49,24 @@ def _is_own(tree: DependencyTree, hand: Word) -> bool:
     is_used = any(child.deprel == "case" and child.form.lower() in _USING for child in children)
     is_yours = any(child.deprel == "nmod:poss" and child.form.lower() in _YOUR for child in children)
     return is_used and (is_yours or any(child.form.lower() in _OF_ONE_HAND for child in children))
+
+
+def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a phrase to the noun that it follows, not to the word that asks: "what is the colour of the cup *on the
+    table*"."""
+    edit = TreeEdit(tree)
+    for asking in tree.words:
+        children = tree.children(asking.index)
+        subject = next((child for child in children if child.deprel == "nsubj" and child.upos in _NOUNS), None)
+        if asking.form.lower() not in _ASKING or subject is None or subject.index < asking.index:
+            continue
+        behind = max(tree.subtree(subject.index)) + 1
+        for phrase in children:
+            noun = tree.word(behind - 1)
+            is_next = min(tree.subtree(phrase.index)) == behind and phrase.deprel in ("obl", "nmod")
+            if is_next and has_case(tree, phrase) and noun.upos in ("NOUN", "PROPN"):
+                edit.rehang(phrase.index, noun.index, "nmod")
+    return edit.tree()
 
 
 def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

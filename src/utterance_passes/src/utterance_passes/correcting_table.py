@@ -99,6 +99,17 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_hands_at_verbs,
     ),
     TreePass(
+        "phrases_of_what_is_asked",
+        'Attach a phrase to the noun that it follows, not to "what".',
+        Example(
+            "what|PRON|0|root is|AUX|1|cop size|NOUN|1|nsubj of|ADP|5|case cups|NOUN|3|nmod "
+            "on|ADP|7|case shelf|NOUN|1|obl",
+            ("shelf: obl(what) -> nmod(cups)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_phrases_of_what_is_asked,
+    ),
+    TreePass(
         "upside_down",
         'Make an adverb of "upside down".',
         Example(

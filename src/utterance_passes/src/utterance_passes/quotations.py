@@ -183,6 +183,7 @@ class _Quotation:
                 for word in reversed(self._tree.words[objects[0].index : self._end - 1])
                 if word.head in heads
                 and word.deprel in ("xcomp", "advcl", "ccomp", "acl")
+                and not self._name_taken_for_a_verb(word)
                 and any(
                     child.deprel == "mark" and child.form.lower() == "to" for child in self._tree.children(word.index)
                 )
@@ -381,12 +382,12 @@ class _Quotation:
         if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
             return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
-        if self._case(child.index) == "to":
-            # In "say what day it is to Bob" the parser may take Bob for a predicate.
-            return all(inner.deprel != "cop" for inner in self._tree.children(child.index))
-        if relation in ("obl", "nmod", "advmod"):
-            return child.form.lower() not in _NEGATIONS and not self._has_verb(inside)
-        return False
+        # In "say what day it is to Bob" the parser may take Bob for a predicate.
+        is_predicate = any(inner.deprel == "cop" for inner in self._tree.children(child.index))
+        if is_predicate or self._case(child.index) == "to":
+            return not is_predicate
+        is_phrase = relation in ("obl", "nmod", "advmod") and child.form.lower() not in _NEGATIONS
+        return is_phrase and not self._has_verb(inside)
 
     def _case(self, index: int) -> str:
         return next((w.form.lower() for w in self._tree.children(index) if w.deprel == "case"), "")

@@ -13,6 +13,8 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
+_ASKING = frozenset(["what", "which"])
+_BE = word_class("forms_of_be")
 _BEFORE_NOW = word_class("before_now")
 _CHOOSING = word_class("time_determiners")
 _CLOCK = word_class("clock_words")
@@ -26,6 +28,7 @@ _PREPOSITIONS = word_class("time_prepositions")
 _SHORT_PERIODS = word_class("short_periods")
 _TIMES_OF_DAY = word_class("times_of_day")
 _WEEKDAYS = word_class("weekdays")
+_DAYS_ASKED = frozenset(["date", "day", "weekday"])
 _DAYS = _PERIODS | _WEEKDAYS | _TIMES_OF_DAY
 _TIMES = _DAYS | _MEALS | _MONTHS | _CLOCK
 _BEFORE_TIMES = _MODIFIERS | _CHOOSING
@@ -58,6 +61,8 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     """Return the start of the phrase of time that ends at a word; 0 if none ends there."""
     word = forms[end - 1]
+    if word in _ADVERBS and _is_asked_about(forms[: end - 1]):
+        return 0
     if word in _ADVERBS:
         before = forms[end - 2] if end > 1 else ""
         return end - 1 if before in _PREPOSITIONS else end
@@ -91,6 +96,13 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     if is_number and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
         return end - 1
     return 0
+
+
+def _is_asked_about(before: List[str]) -> bool:
+    """Whether the words before a day ask about it: "what day *tomorrow* is", "which date is *tomorrow*"."""
+    if before and before[-1] in _BE:
+        before = before[:-1]
+    return len(before) > 1 and before[-1] in _DAYS_ASKED and before[-2] in _ASKING
 
 
 def _is_of_a_time(form: str) -> bool:
