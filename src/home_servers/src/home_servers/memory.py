@@ -167,12 +167,13 @@ class Memory:
 
 _WHOLE = word_class("determiners_of_all")
 _INDEFINITE = ("a", "any", "some")
+_PRONOUNS = word_class("indefinite_pronouns")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
 
 
 def is_any(argument: TypedArgument) -> bool:
-    """Whether any thing of a kind will do, "a person": not only those that were known when it was said."""
-    return argument.quantifier in _INDEFINITE
+    """Whether any thing of a kind will do, "a person", "someone": not only those that were known when it was said."""
+    return argument.quantifier in _INDEFINITE or argument.text.lower() in _PRONOUNS
 
 
 def is_whole(argument: TypedArgument) -> bool:

@@ -157,4 +157,5 @@ def test_a_person_is_whoever_is_here():
     skills.go("office")
     a_person = phrase("a person", quantifier="a", referents=("alice",))
     assert skills.find(a_person, "person").id == "bob"
+    assert skills.find(phrase("someone", referents=("alice",))).id == "bob"
     assert skills.find(phrase("Alice", referents=("alice",)), "person").id == "alice"
