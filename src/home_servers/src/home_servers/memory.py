@@ -166,7 +166,7 @@ class Memory:
 
 
 _WHOLE = word_class("determiners_of_all")
-_INDEFINITE = ("a", "any", "some")
+_INDEFINITE = word_class("determiners_of_any")
 _PRONOUNS = word_class("indefinite_pronouns")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
 

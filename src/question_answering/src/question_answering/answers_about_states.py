@@ -23,6 +23,8 @@ from word_classes import word_class
 from world_model import Sort, WorldObject
 from world_model.knowledge import OPPOSITES
 
+_ALL = word_class("determiners_of_all")
+_ANY = word_class("determiners_of_any")
 #: What other words for a state mean.
 _STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(word_class("words_for_closed"), "closed")}
 
@@ -50,7 +52,7 @@ def state(arguments: Arguments, known: RobotKnowledge) -> str:
 
 
 def _verb(theme: TypedArgument, found: Objects, name: str) -> str:
-    return verb_of(found, name) if len(found) == 1 or theme.is_plural or theme.quantifier == "all" else "is"
+    return verb_of(found, name) if len(found) == 1 or theme.is_plural else "is"
 
 
 def _actual(one: WorldObject, meant: str) -> str:
@@ -74,11 +76,12 @@ def _of_several(
         verb = "is" if len(alike) == 1 and not is_plural_noun(full_name(alike[0])) else "are"
         names = join_with_and(named)
         parts.append(f"{names} {verb} {word}" if word else f"I do not know about {names}")
-    answers = {"all": "No", "every": "No", "each": "No", "both": "No"} if set(actual.values()) - {meant, ""} else {}
-    answers.update(dict.fromkeys(("a", "any", "some"), "Yes") if meant in actual.values() else {})
+    is_of_others = bool(set(actual.values()) - {meant, ""})
+    begin = "No. " if theme.quantifier in _ALL and is_of_others else ""
+    if theme.quantifier in _ANY and meant in actual.values():
+        begin = "Yes. "
     told = ". ".join(with_capital(part) for part in parts)
-    begin = answers.get(theme.quantifier)
-    return f"{begin}. {told}." if begin else f"{told}."
+    return f"{begin}{told}."
 
 
 def those_in_state(arguments: Arguments, known: RobotKnowledge) -> str:

@@ -16,11 +16,13 @@ from referring_expressions.describing import (
 from referring_expressions.fitting import at_place
 from semantic_types import spoken
 from typed_arguments import TypedArgument
+from word_classes import word_class
 from world_model import Sort, WorldObject
 
 #: The arguments of a question, by the names of their elements.
 Arguments = Mapping[str, TypedArgument]
 Objects = Tuple[WorldObject, ...]
+_ANY = word_class("determiners_of_any")
 #: Objects that an answer names; more are counted.
 MOST_NAMED = 8
 
@@ -72,7 +74,7 @@ def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
 
 def definite(theme: TypedArgument) -> str:
     """Return a phrase for the one thing that is meant: "the mug" for "a mug" and for "mug" in "whose mug is this"."""
-    if theme.quantifier in ("a", "any", "some", ""):
+    if theme.quantifier in _ANY or not theme.quantifier:
         return f"the {bare_noun(theme)}" if theme.possessor is None else as_said(theme)
     return as_said(theme)
 

@@ -10,7 +10,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ALL = word_class("words_for_all")
-_ASKING = frozenset(["what", "which", "who"])
+_ASKING = word_class("words_that_ask_which")
 _CONTRASTS = word_class("contrasts")
 _EXCEPTIONS = word_class("exceptions_of_all")
 _GOING = word_class("verbs_of_going")

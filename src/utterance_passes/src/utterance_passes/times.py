@@ -13,7 +13,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
-_ASKING = frozenset(["what", "which"])
+_ASKING = word_class("words_that_ask_which")
 _BE = word_class("forms_of_be")
 _BEFORE_NOW = word_class("before_now")
 _CHOOSING = word_class("time_determiners")
@@ -28,7 +28,7 @@ _PREPOSITIONS = word_class("time_prepositions")
 _SHORT_PERIODS = word_class("short_periods")
 _TIMES_OF_DAY = word_class("times_of_day")
 _WEEKDAYS = word_class("weekdays")
-_DAYS_ASKED = frozenset(["date", "day", "weekday"])
+_DAYS_ASKED = word_class("days_asked")
 _DAYS = _PERIODS | _WEEKDAYS | _TIMES_OF_DAY
 _TIMES = _DAYS | _MEALS | _MONTHS | _CLOCK
 _BEFORE_TIMES = _MODIFIERS | _CHOOSING
