@@ -16,6 +16,7 @@ from typing import Dict
 
 import psutil
 from own_graph import OwnGraph
+from processor_time import processor_s
 
 START_TIMEOUT_S = 120.0
 ANSWER_S = 0.5
@@ -72,12 +73,6 @@ def processes() -> Dict[str, psutil.Process]:
     return found
 
 
-def processor_s(process: psutil.Process) -> float:
-    """Processor time of a process so far, of all its threads, seconds."""
-    times = process.cpu_times()
-    return float(times.user + times.system)
-
-
 def measure(began_s: float) -> int:
     """Print the table; returns whether a figure is exceeded."""
     import rospy
@@ -85,12 +80,12 @@ def measure(began_s: float) -> int:
     rospy.init_node("measuring")
     try:
         took_s = ready_s(began_s)
-        start_s = {name: processor_s(process) for name, process in processes().items()}
+        start_s = {name: processor_s(process.pid) for name, process in processes().items()}
         time.sleep(SETTLE_S)
         running = processes()
-        before = {name: processor_s(process) for name, process in running.items()}
+        before = {name: processor_s(process.pid) for name, process in running.items()}
         time.sleep(IDLE_S)
-        percent = {name: 100.0 * (processor_s(one) - before[name]) / IDLE_S for name, one in running.items()}
+        percent = {name: 100.0 * (processor_s(one.pid) - before[name]) / IDLE_S for name, one in running.items()}
         memory_mb = {name: process.memory_full_info().pss / 1e6 for name, process in running.items()}
     finally:
         rospy.signal_shutdown("done")

@@ -9,10 +9,10 @@ import os
 import sys
 import tempfile
 import time
-from pathlib import Path
 from typing import Any, Callable, List
 
 from own_graph import OwnGraph
+from processor_time import processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 10.0
@@ -20,7 +20,6 @@ IDLE_S = 60.0
 ORDERS = 100
 #: What the orders may take at most, per cent of a core.
 ALLOWED_PERCENT = 2.0
-TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 
 def bare() -> None:
@@ -74,12 +73,6 @@ def wait_for(is_true: Callable[[], bool], what: str) -> None:
         if time.monotonic() > end_s:
             raise SystemExit(f"it did not come true in {START_TIMEOUT_S:g} s: {what}")
         time.sleep(0.1)
-
-
-def processor_s(pid: int) -> float:
-    """Processor time of a process so far, of all its threads, seconds."""
-    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS_PER_S
 
 
 def pid_of(node: str) -> int:
