@@ -81,11 +81,15 @@ def judge(question: Question, answer: Optional[str], scene: Scene) -> Verdict:
 
 
 def _true_of_others(noun: str, said: str, scene: Scene) -> FrozenSet[str]:
-    """Return the names in what an answer says truly of other things of a kind: each is there, and was seen there."""
+    """Return the names in what an answer says truly of other things of a kind: each is there, and was seen there.
+
+    "I know of no cloth but the towel" says itself that the towel may be another kind.
+    """
     found: FrozenSet[str] = frozenset()
+    is_said = f"no {noun} but" in said
     for one in scene.entities("thing", "furniture") if noun else ():
         is_known = one.kind == "furniture" or scene.is_seen(one)
-        if not is_known or (one.category != noun and not one.name.lower().endswith(f" {noun}")):
+        if not is_known or not (is_said or one.category == noun or one.name.lower().endswith(f" {noun}")):
             continue
         room = scene.plan.entities[scene.room_of(one)]
         where = [room] if one.kind == "furniture" else [room, scene.plan.entities[scene.state.places[one.id].holder]]

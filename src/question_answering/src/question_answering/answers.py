@@ -12,6 +12,7 @@ from question_answering.wording import (
     MOST_NAMED,
     Arguments,
     at_location,
+    called_as_said,
     definite,
     found_of,
     full_name,
@@ -189,7 +190,7 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     where = f" {arguments['location'].words}" if "location" in arguments else ""
     if "location" in arguments and not is_known_place(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
-    found = at_location(arguments, candidates, known)
+    found = called_as_said(theme, at_location(arguments, candidates, known))
     if found:
         names = join_with_and(indefinite(found)) if not is_definite(theme) else name_for(theme, found[0])
         verb = verb_of(found, names)

@@ -1,6 +1,6 @@
 """How answers speak of the objects that a question is about, and which objects these are."""
 
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from question_answering.robot_knowledge import RobotKnowledge
 from referring_expressions import fitting
@@ -23,6 +23,14 @@ from world_model import Sort, WorldObject
 Arguments = Mapping[str, TypedArgument]
 Objects = Tuple[WorldObject, ...]
 _ANY = word_class("determiners_of_any")
+#: Nouns for whatever there is: no kinds.
+_GENERAL = (
+    word_class("general_thing_nouns")
+    | word_class("general_person_nouns")
+    | word_class("general_place_nouns")
+    | word_class("noun_standins")
+    | word_class("measure_nouns")
+)
 #: Objects that an answer names; more are counted.
 MOST_NAMED = 8
 
@@ -66,10 +74,21 @@ def name_for(theme: TypedArgument, one: WorldObject) -> str:
 
 def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
     """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
-    not be the box that is meant."""
+    not be the box that is meant; nor is the towel the "cloth"."""
     said = {theme.lemma.lower(), theme.head.lower()}
-    named = {word for name in one.names for word in (spoken(name), spoken(name).split()[-1])}
-    return bool(one.names) and one.sort is not Sort.PERSON and noun_of(one) in said and not named & said
+    return one.sort is not Sort.PERSON and not said & _GENERAL and not _called(one) & said
+
+
+def called_as_said(theme: TypedArgument, objects: Objects) -> Objects:
+    """Return those of some objects that have the noun that was said, and are not only of its kind: of a pot and a
+    kettle the pot; all of them if none has."""
+    return tuple(one for one in objects if not is_only_of_the_kind(theme, one)) or objects
+
+
+def _called(one: WorldObject) -> Set[str]:
+    """Return the nouns for an object; of one that has a name, its category is only the kind."""
+    names = [spoken(name) for name in (one.name or noun_of(one), *one.other_names)]
+    return {word for name in names for word in (name, name.split()[-1])}
 
 
 def definite(theme: TypedArgument) -> str:
