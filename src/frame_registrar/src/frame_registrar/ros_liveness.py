@@ -1,18 +1,23 @@
 """Finds out which action servers are running, from the master and the nodes themselves."""
 
+import socket
 import threading
+import time
 import xmlrpc.client
 from typing import Callable, Dict, FrozenSet, Iterable, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameActionResult
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.ros_master import NO_ANSWER, MasterError, TimedMaster
 from roboframenet_ros.timed_transport import TimedTransport
 
 #: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
 #: registered just before it started.
 _SECOND_LOOK_S = 1.0
+#: A node that listens and does not answer is busy; after this time, seconds, it counts as hung. Nobody listens at the
+#: address of one that has ended.
+_LONGEST_SILENCE_S = 10.0
 #: An action server publishes its results itself, so the master knows their type from it.
 _RESULT_TYPE = FilledSemanticFrameActionResult._type
 
@@ -47,6 +52,8 @@ class LivenessWatch:
         self._master = TimedMaster(timeout_s=timeout_s)
         # By address of the node. Connections are kept: a new one costs the node a thread and more time than the answer.
         self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
+        # When nodes that listen were first asked in vain, by the monotonic clock.
+        self._silent_since_s: Dict[str, float] = {}
         self._dead: FrozenSet[str] = frozenset()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, name="liveness", daemon=True)
@@ -84,7 +91,7 @@ class LivenessWatch:
             nodes = nodes_of.get(rospy.resolve_name(server + "/status"), ())
             for node in nodes:
                 if node not in answers:
-                    answers[node] = node == rospy.get_name() or self._answers(node, known)
+                    answers[node] = node == rospy.get_name() or self._is_running(node, known)
             result_type = types.get(rospy.resolve_name(server + "/result"), _RESULT_TYPE)
             if not any(answers[node] for node in nodes):
                 dead.add(server)
@@ -95,12 +102,25 @@ class LivenessWatch:
                     rospy.logerr("%s takes no frames: its results are of type %s", server, result_type)
         return frozenset(dead)
 
-    def _answers(self, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
+    def _is_running(self, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
+        """Whether a node answers, or may be too busy to.
+
+        Raises:
+            Exception: one of `NO_ANSWER`: the master does not answer
+        """
         try:
             uri = self._master.uri_of(node)
-            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
-            is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
-            self._proxies[uri] = proxy
-            return is_alive
-        except NO_ANSWER:
+        except MasterError:
             return False
+        proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
+        try:
+            is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
+        except socket.timeout:
+            now_s = time.monotonic()
+            return now_s < self._silent_since_s.setdefault(node, now_s) + _LONGEST_SILENCE_S
+        except NO_ANSWER:
+            is_alive = False
+        else:
+            self._proxies[uri] = proxy
+        self._silent_since_s.pop(node, None)
+        return is_alive

@@ -112,7 +112,6 @@ class FleetNode:
     def _shutdown(self) -> None:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
-        self._action.shutdown()
 
     def _hear_text(self, message: String) -> None:
         self._events.put(_Said(message.data, self._text_ids.next_id()))
