@@ -73,11 +73,11 @@ def drive() -> int:
         FilledSemanticFrameGoal,
     )
 
-    program(HOME).cpu_affinity([0])
     rospy.init_node("measuring", disable_signals=True)
     client = actionlib.SimpleActionClient("home/act", FilledSemanticFrameAction)
     if not client.wait_for_server(rospy.Duration(RATE_FACTOR * START_TIMEOUT_S)):
         raise SystemExit("home/act does not answer")
+    program(HOME).cpu_affinity([0])
     begin_s, begin, before_s = time.monotonic(), rospy.Time.now(), processor_s(program(HOME).pid)
     arrived = 0
     while time.monotonic() < begin_s + DRIVE_S:
