@@ -12,6 +12,7 @@ import sys
 import threading
 import time
 import unittest
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Dict, List, Optional, Set, Tuple
 
@@ -142,6 +143,7 @@ class WatchingTest(unittest.TestCase):
         }
         cls.odometry: Tuple[float, ...] = ()
         cls.truth: Dict[str, Any] = {}
+        cls.events: List[Dict[str, Any]] = []
         cls.rooms: Set[str] = set()
         cls.subscribers = [
             rospy.Subscriber("odom", Odometry, cls._on_odometry, queue_size=1),
@@ -160,7 +162,8 @@ class WatchingTest(unittest.TestCase):
 
     @classmethod
     def _on_truth(cls, message: String) -> None:
-        cls.truth = json.loads(message.data)["truth"]
+        told = json.loads(message.data)
+        cls.truth, cls.events = told["truth"], told["events"]
         cls.rooms.add(cls.truth.get("robot.room", ""))
 
     def _untrue(self, wanted: Dict[str, Any]) -> str:
@@ -169,6 +172,19 @@ class WatchingTest(unittest.TestCase):
             wait_until(lambda: wanted.items() <= self.truth.items(), 3.0)
         except AssertionError:
             return f"{[(name, self.truth.get(name)) for name in wanted]}"
+        return ""
+
+    def _unheard(self, wanted: Dict[str, str], after_s: float) -> str:
+        """Return what a person has not heard after a time of the home; who walks away afterwards has heard it."""
+
+        def has_heard(person: str, words: str) -> bool:
+            said = [event for event in self.events if event["kind"] == "said" and event["time_s"] > after_s]
+            return any(person in event["to"] and words in event["what"] for event in said)
+
+        try:
+            wait_until(lambda: all(has_heard(*one) for one in wanted.items()), 3.0)
+        except AssertionError:
+            return f"not heard: {wanted}"
         return ""
 
     def _publish(self, topic: str, value: Any) -> None:
@@ -202,6 +218,8 @@ class WatchingTest(unittest.TestCase):
             is_over.set()
             player.join(10.0)
             # Replies, goals and feedback come on connections of their own.
+            with suppress(AssertionError):
+                wait_until(lambda: len(self.recorder.seen.goals) >= len(case.get("goals", [])), 3.0)
             time.sleep(0.3)
 
     def test_sentences(self) -> None:
@@ -223,6 +241,7 @@ class WatchingTest(unittest.TestCase):
     def _check(self, case: Dict[str, Any]) -> Tuple[str, str]:
         """Say a sentence; return what is wrong, and the line of the table."""
         before = self.odometry
+        before_s = max((event["time_s"] for event in self.events), default=-1.0)
         self.rooms.clear()
         self.rooms.add(self.truth.get("robot.room", ""))
         reply, seen = self._say(case)
@@ -242,7 +261,7 @@ class WatchingTest(unittest.TestCase):
         elif "rooms" in case and self.rooms - {""} != set(case["rooms"]):
             problem = f"was in {sorted(self.rooms)}"
         else:
-            problem = self._untrue(case.get("truth", {}))
+            problem = self._untrue(case.get("truth", {})) or self._unheard(case.get("heard", {}), before_s)
         became, late_s = _lateness(seen, case)
         if not problem and case.get("by") and late_s is None:
             problem = f"no condition, or nothing {case['by']}: {seen.conditions}, {seen.goals}"
