@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Sequence
 
 from own_graph import OwnGraph, end
+from processor_time import processor_s
 from stage_latency import Measurement
 
 PORT = 18090
@@ -26,7 +27,6 @@ IDLE_S = 20.0
 TURNS, TEXTS = 5, 40
 EVENTS = 200
 LOADS = 5
-TICKS = os.sysconf("SC_CLK_TCK")
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "rostest")
 
 
@@ -111,12 +111,6 @@ def console() -> "Iterator[subprocess.Popen[bytes]]":
         end(process)
 
 
-def cpu_s(pid: int) -> float:
-    """Processor time of a process so far, seconds."""
-    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS
-
-
 def memory_mb(pid: int) -> float:
     """Resident memory of a process."""
     lines = Path(f"/proc/{pid}/status").read_text(encoding="ascii").splitlines()
@@ -125,9 +119,9 @@ def memory_mb(pid: int) -> float:
 
 def share_of_core(pid: int, seconds: float) -> float:
     """Percent of a core that a process takes in some time."""
-    before_s, start_s = cpu_s(pid), time.monotonic()
+    before_s, start_s = processor_s(pid), time.monotonic()
     time.sleep(seconds)
-    return 100.0 * (cpu_s(pid) - before_s) / (time.monotonic() - start_s)
+    return 100.0 * (processor_s(pid) - before_s) / (time.monotonic() - start_s)
 
 
 def p(values: Sequence[float], share: float) -> float:
@@ -235,7 +229,7 @@ def measure(seconds: float) -> None:
                 # The first fifty commands fill the history.
                 for _ in range(60):
                     measurement.whole()
-                before_mb, before_s, start_s = memory_mb(node.pid), cpu_s(node.pid), time.monotonic()
+                before_mb, before_s, start_s = memory_mb(node.pid), processor_s(node.pid), time.monotonic()
                 said = 0
                 while time.monotonic() < start_s + seconds:
                     measurement.whole()
@@ -243,7 +237,7 @@ def measure(seconds: float) -> None:
                     time.sleep(0.5)
                 took_s = time.monotonic() - start_s
                 grown_mb = memory_mb(node.pid) - before_mb
-                share = 100.0 * (cpu_s(node.pid) - before_s) / took_s
+                share = 100.0 * (processor_s(node.pid) - before_s) / took_s
                 say(
                     f"ten pages, {took_s:.0f} s, {said} commands",
                     f"{before_mb:.1f} MB {grown_mb:+.1f} MB, {share:.1f} % of a core",

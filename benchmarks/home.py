@@ -11,7 +11,7 @@ import time
 
 import psutil
 from own_graph import OwnGraph
-from processor_time import processor_s
+from processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 5.0
@@ -32,18 +32,6 @@ def bare() -> None:
     rospy.spin()
 
 
-def program(name: str) -> psutil.Process:
-    """Return the process of a program that runs beside this one.
-
-    Raises:
-        SystemExit: it does not run
-    """
-    for process in psutil.Process(os.getppid()).children(recursive=True):
-        if any(os.path.basename(word) == name for word in process.cmdline()[:3]):
-            return process
-    raise SystemExit(f"{name} does not run")
-
-
 def idle() -> int:
     """Print what the home and a bare node take; returns whether it is too much."""
     import rospy
@@ -51,9 +39,9 @@ def idle() -> int:
 
     rospy.init_node("measuring", disable_signals=True)
     rospy.wait_for_message("home/truth", String, START_TIMEOUT_S)
+    pids = {name: pid_of(f"/{name}") for name in (HOME, BARE)}
     rospy.signal_shutdown("nobody hears the home")
     time.sleep(SETTLE_S)
-    pids = {name: program(name).pid for name in (HOME, BARE)}
     before = {name: processor_s(pid) for name, pid in pids.items()}
     time.sleep(IDLE_S)
     percent = {name: 100.0 * (processor_s(pid) - before[name]) / IDLE_S for name, pid in pids.items()}
@@ -77,8 +65,9 @@ def drive() -> int:
     client = actionlib.SimpleActionClient("home/act", FilledSemanticFrameAction)
     if not client.wait_for_server(rospy.Duration(RATE_FACTOR * START_TIMEOUT_S)):
         raise SystemExit("home/act does not answer")
-    program(HOME).cpu_affinity([0])
-    begin_s, begin, before_s = time.monotonic(), rospy.Time.now(), processor_s(program(HOME).pid)
+    pid = pid_of(f"/{HOME}")
+    psutil.Process(pid).cpu_affinity([0])
+    begin_s, begin, before_s = time.monotonic(), rospy.Time.now(), processor_s(pid)
     arrived = 0
     while time.monotonic() < begin_s + DRIVE_S:
         goal = FilledFrameElement(name="goal", argument=ROOMS[arrived % len(ROOMS)])
@@ -87,7 +76,7 @@ def drive() -> int:
             raise SystemExit(f"the robot does not arrive in the {goal.argument}")
         arrived += 1
     real_s, home_s = time.monotonic() - begin_s, (rospy.Time.now() - begin).to_sec()
-    used_s = processor_s(program(HOME).pid) - before_s
+    used_s = processor_s(pid) - before_s
     print(
         f"drives on one core   {home_s / real_s:6.1f} times as fast as real time, at least {WANTED_FACTOR:g}; "
         f"{arrived} rooms in {home_s:.0f} s of the home, {real_s:.0f} s, {used_s:.0f} s of processor time; "

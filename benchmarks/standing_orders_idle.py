@@ -12,7 +12,7 @@ import time
 from typing import Any, Callable, List
 
 from own_graph import OwnGraph
-from processor_time import processor_s
+from processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 10.0
@@ -73,15 +73,6 @@ def wait_for(is_true: Callable[[], bool], what: str) -> None:
         if time.monotonic() > end_s:
             raise SystemExit(f"it did not come true in {START_TIMEOUT_S:g} s: {what}")
         time.sleep(0.1)
-
-
-def pid_of(node: str) -> int:
-    """The process of a node."""
-    from xmlrpc.client import ServerProxy
-
-    import rosgraph
-
-    return int(ServerProxy(rosgraph.Master("/measuring").lookupNode(node)).getPid("/measuring")[2])
 
 
 def measure() -> int:

@@ -55,15 +55,14 @@ def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> Depend
     """Attach a phrase to the noun that it follows, not to the word that asks: "what is the colour of the cup *on the
     table*"."""
     edit = TreeEdit(tree)
-    for asking in tree.words:
+    for asking in [word for word in tree.words if word.form.lower() in _ASKING]:
         children = tree.children(asking.index)
         subject = next((child for child in children if child.deprel == "nsubj" and child.upos in _NOUNS), None)
-        if asking.form.lower() not in _ASKING or subject is None or subject.index < asking.index:
+        if subject is None or subject.index < asking.index:
             continue
-        behind = max(tree.subtree(subject.index)) + 1
+        noun = tree.word(max(tree.subtree(subject.index)))
         for phrase in children:
-            noun = tree.word(behind - 1)
-            is_next = min(tree.subtree(phrase.index)) == behind and phrase.deprel in ("obl", "nmod")
+            is_next = min(tree.subtree(phrase.index)) == noun.index + 1 and phrase.deprel in ("obl", "nmod")
             if is_next and has_case(tree, phrase) and noun.upos in ("NOUN", "PROPN"):
                 edit.rehang(phrase.index, noun.index, "nmod")
     return edit.tree()

@@ -383,11 +383,10 @@ class _Quotation:
             is_last = child.index == self._end - 1
             return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
         # In "say what day it is to Bob" the parser may take Bob for a predicate.
-        is_predicate = any(inner.deprel == "cop" for inner in self._tree.children(child.index))
-        if is_predicate or self._case(child.index) == "to":
-            return not is_predicate
+        if any(inner.deprel == "cop" for inner in self._tree.children(child.index)):
+            return False
         is_phrase = relation in ("obl", "nmod", "advmod") and child.form.lower() not in _NEGATIONS
-        return is_phrase and not self._has_verb(inside)
+        return self._case(child.index) == "to" or (is_phrase and not self._has_verb(inside))
 
     def _case(self, index: int) -> str:
         return next((w.form.lower() for w in self._tree.children(index) if w.deprel == "case"), "")

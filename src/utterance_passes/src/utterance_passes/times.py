@@ -61,9 +61,9 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     """Return the start of the phrase of time that ends at a word; 0 if none ends there."""
     word = forms[end - 1]
-    if word in _ADVERBS and _is_asked_about(forms[: end - 1]):
-        return 0
     if word in _ADVERBS:
+        if _is_asked_about(forms[: end - 1]):
+            return 0
         before = forms[end - 2] if end > 1 else ""
         return end - 1 if before in _PREPOSITIONS else end
     if word == "now" and end > 1 and forms[end - 2] in _BEFORE_NOW:
