@@ -111,6 +111,7 @@ class LivenessWatch:
         try:
             uri = self._master.uri_of(node)
         except MasterError:
+            self._silent_since_s.pop(node, None)
             return False
         proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
         try:
