@@ -175,7 +175,7 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     location = arguments["location"]
     if not is_known_place(location, known):
         return f'I do not know of any place "{location.text}".'
-    persons = tuple(one for one in known.world.objects if one.sort is Sort.PERSON)
+    persons = known.world.of_sorts(Sort.PERSON)
     found = at_place(persons, location, known.situation)
     if not found:
         return f"I know of nobody {location.words}."

@@ -27,11 +27,10 @@ def _whether_held(theme: TypedArgument, holders: Objects, known: RobotKnowledge)
     things = found_of(theme, known, is_wide=True)
     if not things:
         return unknown_of(theme)
-    ids = {one.id for holder in holders for one in known.world.objects if holder in known.world.owners(one)}
-    held = tuple(one for one in things if one.id in known.world.at("held_by", holders))
-    if held:
+    ids = {one.id for one in things}
+    if ids & known.world.at("held_by", holders):
         return " ".join(["Yes.", *(_of_holder(one, known) for one in holders)])
-    if ids & {one.id for one in things}:
+    if any(one.id in ids for holder in holders for one in _owned(holder, known)):
         return " ".join(["Yes.", *(_of_owner(one, known) for one in holders)])
     placed = [
         (name_for(theme, one) if len(things) == 1 else full_name(one), place_of(one, known.world)) for one in things
@@ -50,7 +49,7 @@ def belongings(arguments: Arguments, known: RobotKnowledge) -> str:
 
 
 def _of_holder(holder: WorldObject, known: RobotKnowledge) -> str:
-    held = _among(known.world.at("held_by", (holder,)), known)
+    held = _without_robot(known.world.at("held_by", (holder,)), known)
     if holder.id == ROBOT_ID:
         return f"I hold {join_with_and(indefinite(held))}." if held else "I hold nothing."
     name = with_capital(name_of(holder))
@@ -60,7 +59,7 @@ def _of_holder(holder: WorldObject, known: RobotKnowledge) -> str:
 
 
 def _of_owner(owner: WorldObject, known: RobotKnowledge) -> str:
-    owned = tuple(one for one in known.world.objects if owner in known.world.owners(one))
+    owned = _owned(owner, known)
     belongs = f"{with_capital(join_with_and(indefinite(owned)))} {'belongs' if len(owned) == 1 else 'belong'} to"
     if owner.id == ROBOT_ID or owner.sort is Sort.PERSON:
         held = known.world.at("held_by", (owner,))
@@ -68,14 +67,18 @@ def _of_owner(owner: WorldObject, known: RobotKnowledge) -> str:
         if held or owner.id == ROBOT_ID:
             sentences.insert(0, _of_holder(owner, known))
         return " ".join(sentences) or f"I do not know of anything that {name_of(owner)} has."
-    inside = _among(known.world.at("in", (owner,)) | known.world.at("on", (owner,)), known)
+    inside = _without_robot(known.world.at("in", (owner,)) | known.world.at("on", (owner,)), known)
     if not inside:
         return f"I know of nothing that {name_of(owner)} has."
     return f"{with_capital(name_of(owner))} has {join_with_and(indefinite(inside))}."
 
 
-def _among(ids: FrozenSet[str], known: RobotKnowledge) -> Objects:
-    return tuple(one for one in known.world.objects if one.id in ids and one.id != ROBOT_ID)
+def _owned(owner: WorldObject, known: RobotKnowledge) -> Objects:
+    return tuple(one for one in known.world.objects if owner in known.world.owners(one))
+
+
+def _without_robot(ids: FrozenSet[str], known: RobotKnowledge) -> Objects:
+    return known.situation.objects(sorted(ids - {ROBOT_ID}))
 
 
 ABOUT_HOLDERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {

@@ -1,6 +1,6 @@
 """Answers to questions about the states of things: "Is the door open?", "Which lamps are on?"."""
 
-from typing import Callable, Dict, FrozenSet, Mapping
+from typing import Callable, Dict, FrozenSet, Mapping, Sequence
 
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
@@ -16,7 +16,7 @@ from question_answering.wording import (
     verb_of,
 )
 from referring_expressions import unknown_of
-from referring_expressions.describing import bare_noun, is_plural_noun, place_of
+from referring_expressions.describing import bare_noun, place_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from typed_arguments import TypedArgument
 from word_classes import word_class
@@ -70,11 +70,8 @@ def _of_several(
     parts = []
     for word in sorted(set(actual.values()), key=lambda word: (word != meant, not word, word)):
         alike = [one for one in found if actual[one.id] == word]
-        named = [f"{full_name(one)} {place_of(one, known.world)}".strip() for one in alike[:MOST_NAMED]]
-        if len(alike) > MOST_NAMED:
-            named.append(f"{len(alike) - MOST_NAMED} more")
-        verb = "is" if len(alike) == 1 and not is_plural_noun(full_name(alike[0])) else "are"
-        names = join_with_and(named)
+        names = _named([f"{full_name(one)} {place_of(one, known.world)}".strip() for one in alike])
+        verb = verb_of(alike, full_name(alike[0]))
         parts.append(f"{names} {verb} {word}" if word else f"I do not know about {names}")
     is_of_others = bool(set(actual.values()) - {meant, ""})
     begin = "No. " if theme.quantifier in _ALL and is_of_others else ""
@@ -89,21 +86,26 @@ def those_in_state(arguments: Arguments, known: RobotKnowledge) -> str:
     theme, meant, location = arguments.get("theme"), _meant(arguments), arguments.get("location")
     if location is not None and not is_known_place(location, known):
         return f'I do not know of any place "{location.text}".'
-    persons = tuple(one for one in known.world.objects if one.sort is Sort.PERSON)
-    everything = found_of(theme, known, is_wide=True) if theme is not None else persons
-    if not everything and theme is not None:
-        return unknown_of(theme)
+    if theme is None:
+        everything = known.world.of_sorts(Sort.PERSON)
+    else:
+        everything = found_of(theme, known, is_wide=True)
+        if not everything:
+            return unknown_of(theme)
     found = tuple(one for one in at_location(arguments, everything, known) if meant in one.properties)
     where = f" {location.words}" if location is not None else ""
-    if not found and theme is None:
-        return f"I know of nobody{where} who is {meant}."
-    if not found and theme is not None:
+    if not found:
+        if theme is None:
+            return f"I know of nobody{where} who is {meant}."
         return f"I know of no {bare_noun(theme)}{where} that {'are' if theme.is_plural else 'is'} {meant}."
     names = [f"{full_name(one)} {'' if location is not None else place_of(one, known.world)}".strip() for one in found]
-    if len(names) > MOST_NAMED:
-        names = [*names[:MOST_NAMED], f"{len(names) - MOST_NAMED} more"]
-    verb = "are" if len(found) > 1 else verb_of(found, names[0])
-    return f"{with_capital(join_with_and(names))}{where} {verb} {meant}."
+    return f"{with_capital(_named(names))}{where} {verb_of(found, names[0])} {meant}."
+
+
+def _named(names: Sequence[str]) -> str:
+    """Return a list of names for a person; of many, the rest is counted."""
+    rest = [f"{len(names) - MOST_NAMED} more"] if len(names) > MOST_NAMED else []
+    return join_with_and([*names[:MOST_NAMED], *rest])
 
 
 def _meant(arguments: Arguments) -> str:
