@@ -11,10 +11,11 @@ import re
 import sys
 import time
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, TypeVar
 from typing import Counter as CounterType
-from typing import Dict, Iterable, Iterator, List, Optional, Sequence, Tuple
 
 from synthetic_speech import silence, speech, voices, with_noise, with_silence
 
@@ -42,6 +43,8 @@ from voice_recognition.recogniser import RATE, model_dictionary
 from voice_recognition.sound import duration_s
 from voice_recognition.spoken_language import Words, grounded_frames, make_language, sentences
 from voice_recognition.spotting import LONGEST_S, StopSpotter
+
+What = TypeVar("What")
 
 SERVED = frozenset("pinging stopping waiting following moving turning saying telling speaking".split())
 ROOMS = "kitchen office garage hall lab"
@@ -100,8 +103,7 @@ def utterance_in(pcm: bytes) -> Optional[bytes]:
 def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tuple[Heard, float]]:
     """Return what the node hears in the longest utterance of a sound, and the seconds from its end to the question.
 
-    Its thread does one thing after the other, in the processor time that it takes here: the searches when the speech
-    may have ended, the search for a stop, and the searches again if somebody spoke on.
+    As in the node, one thread searches for commands, and another one beside it for a stop.
     """
     endpointer = Endpointer()
     pauses: List[Tuple[float, Utterance]] = []
@@ -116,22 +118,33 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
     if not ends:
         return None
     end_s, whole = max(ends, key=lambda one: len(one[1].pcm))
-    early: EarlyHearing[None, Heard] = EarlyHearing()
-    early_stop: EarlyHearing[None, bool] = EarlyHearing()
-    is_short = whole.end_s - whole.begin_s <= LONGEST_S
+    pauses = [(now_s, one) for now_s, one in pauses if one.begin_s == whole.begin_s]
+    with ThreadPoolExecutor(1) as beside:
+        if whole.end_s - whole.begin_s <= LONGEST_S:
+            beside.submit(_search_in_time, spotter.is_stop, pauses, (end_s, whole))
+        heard, at_s = _search_in_time(ears.hear, pauses, (end_s, whole))
+    return heard, at_s - whole.end_s
+
+
+def _search_in_time(
+    hear: Callable[[bytes], What], pauses: Sequence[Tuple[float, Utterance]], end: Tuple[float, Utterance]
+) -> Tuple[What, float]:
+    """Return what a thread of searches hears, and when: when the sound comes, and the processor time of each search.
+
+    Args:
+        hear: a search
+        pauses: what was said before each pause, and when it came
+        end: the whole, and when it came
+    """
+    early: EarlyHearing[None, What] = EarlyHearing()
     free_s = 0.0
     for when_s, one in pauses:
-        if one.begin_s == whole.begin_s:
-            began = time.process_time()
-            if is_short:
-                early_stop.listen(one, None, spotter.is_stop)
-            early.listen(one, None, ears.hear)
-            free_s = max(free_s, when_s) + time.process_time() - began
-    began = time.process_time()
-    if is_short:
-        early_stop.heard(whole, None, spotter.is_stop)
-    heard = early.heard(whole, None, ears.hear)
-    return heard, max(free_s, end_s) + time.process_time() - began - whole.end_s
+        began = time.thread_time()
+        early.listen(one, None, hear)
+        free_s = max(free_s, when_s) + time.thread_time() - began
+    began = time.thread_time()
+    heard = early.heard(end[1], None, hear)
+    return heard, max(free_s, end[0]) + time.thread_time() - began
 
 
 class Person:

@@ -1,7 +1,6 @@
 """The node: hears commands, asks, and passes them to the pipeline."""
 
 import functools
-import queue
 import threading
 import time
 from dataclasses import replace
@@ -48,6 +47,7 @@ from voice_recognition.offers import Offer
 from voice_recognition.recogniser import NoRecogniser, model_dictionary
 from voice_recognition.replies import ReplyEars
 from voice_recognition.ros_live_speech import LiveSpeechTopics
+from voice_recognition.ros_search_thread import SearchThread
 from voice_recognition.ros_speaker import Speaker
 from voice_recognition.settings import Settings
 from voice_recognition.spoken_language import Words, spoken_words
@@ -94,7 +94,8 @@ class VoiceRecognition:
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
         self._maker = LanguageMaker()
-        self._work: queue.Queue[Callable[[], None]] = queue.Queue(20)
+        # A stop is searched for beside the commands: neither waits for the other.
+        self._commands, self._stops = SearchThread("commands"), SearchThread("stops")
         self._question = rospy.Publisher("voice_question", String, queue_size=1, latch=True)
         self._state_publisher = rospy.Publisher("voice_state", String, queue_size=1, latch=True)
         self._heard = rospy.Publisher("voice_heard", String, queue_size=10)
@@ -117,7 +118,7 @@ class VoiceRecognition:
         ]
         self._service = rospy.Service("listen", Trigger, self._on_listen)
         self._tuned = LiveParameters(settings, self._tune)
-        for run in (self._run_work, self._run_clock, self._run_microphone):
+        for run in (self._run_clock, self._run_microphone):
             threading.Thread(target=run, daemon=True).start()
         rospy.loginfo("ready: %s", settings)
 
@@ -240,7 +241,7 @@ class VoiceRecognition:
             self._reply_ears = None
             self._happened(Asked(has_answers=bool(answers)))
         if answers:
-            self._later(lambda: self._make_reply_ears(answers))
+            self._commands.later(lambda: self._make_reply_ears(answers))
 
     def _make_reply_ears(self, answers: Tuple[str, ...]) -> None:
         try:
@@ -284,25 +285,8 @@ class VoiceRecognition:
                 if is_due:
                     self._changed_at = None
             if is_due:
-                self._later(self._make_ears)
+                self._commands.later(self._make_ears)
             self._happened(Tick())
-
-    def _later(self, job: Callable[[], None]) -> None:
-        try:
-            self._work.put_nowait(job)
-        except queue.Full:
-            rospy.logwarn("too much to hear: something is dropped")
-
-    def _run_work(self) -> None:
-        while not rospy.is_shutdown():
-            try:
-                job = self._work.get(timeout=0.5)
-            except queue.Empty:
-                continue
-            try:
-                job()
-            except Exception:  # boundary: what goes wrong with one sound must not end the thread
-                rospy.logerr("a sound could not be heard", exc_info=True)
 
     def _run_microphone(self) -> None:
         is_said = False
@@ -333,7 +317,7 @@ class VoiceRecognition:
                     has_sound = True
                     rospy.loginfo("listens to %s", command[0])
                 if self._speakers and not says_stop(self._said):
-                    self._later(lambda part=part: self._look_for_stop(spotter, part))
+                    self._stops.later(lambda part=part: self._look_for_stop(spotter, part))
                 for utterance in endpointer.feed(part):
                     self._on_utterance(spotter, utterance)
                 pause = endpointer.take_pause()
@@ -353,24 +337,24 @@ class VoiceRecognition:
 
     def _on_utterance(self, spotter: StopSpotter, utterance: Utterance) -> None:
         if self._may_be_stop(utterance):
-            self._later(lambda: self._check_for_stop(spotter, utterance))
+            self._stops.later(lambda: self._check_for_stop(spotter, utterance))
         with self._lock:
             searches = self._searches()
             if searches is None:
                 return
             self._happened(SpeechEnded())
         how, hear = searches
-        self._later(lambda: self._understand(utterance, how, hear))
+        self._commands.later(lambda: self._understand(utterance, how, hear))
 
     def _on_pause(self, spotter: StopSpotter, utterance: Utterance) -> None:
         """Begin the searches when an utterance may have ended; what they hear counts if nobody speaks on."""
         if self._may_be_stop(utterance):
-            self._later(lambda: self._early_stop.listen(utterance, None, spotter.is_stop))
+            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.is_stop))
         with self._lock:
             searches = self._searches()
         if searches is not None:
             how, hear = searches
-            self._later(lambda: self._early.listen(utterance, how, hear))
+            self._commands.later(lambda: self._early.listen(utterance, how, hear))
 
     def _may_be_stop(self, utterance: Utterance) -> bool:
         """Whether an utterance is short enough for a stop, and not the robot's own."""
