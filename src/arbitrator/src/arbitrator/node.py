@@ -100,7 +100,7 @@ class ArbitratorNode:
                 sentence="I can only act at once: nobody keeps standing orders (standing_orders is not running).",
             )
             return
-        # The event is published first, so that observers receive the events of the stages in order.
+        # The event goes first: from it on, the command server takes it that the robot may move.
         self._stage.passes_on(message.command, sentence, trace="\n".join(trace))
         ordered = plan_to_message(plan)
         ordered.beginning = message.plan.beginning

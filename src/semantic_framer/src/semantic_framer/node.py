@@ -338,13 +338,7 @@ class SemanticFramer:
                     return outcome, str(trace) if trace is not None else ""
 
     def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:
-        described = "; then ".join(" or ".join(map(str, readings[:3])) for readings in understood.clauses)
-        self._stage.passes_on(
-            message.command,
-            " ".join(part for part in (described, understood.warning and f"({understood.warning})") if part),
-            trace=trace,
-        )
-        self._units_2012.publish(to_filled_units(understood.clauses))
+        # The next stage works while the others are told.
         self._units.publish(
             CommandLexicalUnits(
                 command=message.command,
@@ -352,6 +346,13 @@ class SemanticFramer:
                 plan=with_beginning(to_plan(understood, message.command.text), understood.beginning),
             )
         )
+        described = "; then ".join(" or ".join(map(str, readings[:3])) for readings in understood.clauses)
+        self._stage.passes_on(
+            message.command,
+            " ".join(part for part in (described, understood.warning and f"({understood.warning})") if part),
+            trace=trace,
+        )
+        self._units_2012.publish(to_filled_units(understood.clauses))
 
     def _end(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)

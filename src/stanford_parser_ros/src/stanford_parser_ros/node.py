@@ -189,10 +189,11 @@ class ParserNode:
                 sentence=f"The parser failed: {type(error).__name__}: {error}",
             )
             return
+        # The next stage works while the others are told.
+        self._parses.publish(message)
         trace = "\n".join(map(str, parse.trace)) if self._settings.trace else ""
         self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
-        self._parses.publish(message)
 
 
 def _words_of(text: str, path: str) -> KnownWords:
