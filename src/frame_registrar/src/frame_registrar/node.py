@@ -3,7 +3,7 @@
 import threading
 import uuid
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, List, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Sequence, Tuple, Union
 
 import rosgraph
 import rospy
@@ -36,6 +36,7 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameResponse,
 )
 
+from frame_registrar.beginning import Beginning
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
@@ -47,7 +48,7 @@ from frame_registrar.ros_messages import (
     to_frame_lists,
     to_plan,
 )
-from frame_registrar.search import Refusal, combinations, reply_outcome, search
+from frame_registrar.search import Found, Refusal, combinations, reply_outcome, search
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -74,12 +75,14 @@ class Settings(Parameters):
         max_candidates: the search for a clause ends at this number
         liveness_period_s: pause between two rounds of asking the servers
         liveness_timeout_s: how long a node may take to answer
+        settle_s: how long after its start a command waits for its servers, which register again
     """
 
     frame_paths: Tuple[str, ...] = parameter((), may_be_single=True)
     max_candidates: int = parameter(64, least=1, most=10000)
     liveness_period_s: float = parameter(5.0, least=0.1, most=60.0)
     liveness_timeout_s: float = parameter(1.0, least=0.05, most=10.0)
+    settle_s: float = parameter(3.0, least=0.0, most=10.0)
 
 
 class FrameRegistrar:
@@ -116,6 +119,7 @@ class FrameRegistrar:
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
         self._stage = Stage("frame_registrar")
         self._load_files()
+        self._beginning = Beginning(settings.settle_s)
         self._subscriber = rospy.Subscriber(
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
         )
@@ -227,6 +231,7 @@ class FrameRegistrar:
             return errors, ""
         self._candidates.prepare(profile.robot)
         self._publish_servers()
+        self._beginning.hear_registration()
         remark = self._graph.remark(frame_name, server)
         if remark:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
@@ -287,16 +292,19 @@ class FrameRegistrar:
             frame = self._graph.frame(name)
         return frame is not None and frame.is_question
 
+    def _search(self, message: CommandLexicalUnits) -> Union[Tuple[Found, ...], Refusal]:
+        with self._lock:
+            return search(
+                self._graph,
+                to_clauses(message.clauses),
+                max_candidates=self._settings.max_candidates,
+                robot=message.command.robot,
+                conditions=conditions_in(message.plan, message.clauses),
+            )
+
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
-            with self._lock:
-                outcome = search(
-                    self._graph,
-                    to_clauses(message.clauses),
-                    max_candidates=self._settings.max_candidates,
-                    robot=message.command.robot,
-                    conditions=conditions_in(message.plan, message.clauses),
-                )
+            outcome = self._beginning.search(lambda: self._search(message))
             if not isinstance(outcome, Refusal):
                 plan = to_plan(message.clauses, message.command.text, outcome, message.plan)
         except Exception as error:  # boundary: the command gets its reply, whatever fails
@@ -317,10 +325,6 @@ class FrameRegistrar:
                 sentence=outcome.sentence,
             )
             return
-        self._stage.passes_on(message.command, describe(plan))
-        if not message.plan.nodes:
-            # 2012 cannot say how often or for how long.
-            self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         if not self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan)):
             self._stage.ends(
                 message.command,
@@ -328,6 +332,12 @@ class FrameRegistrar:
                 code="QUESTION",
                 sentence=f'I do not know how to answer "{message.command.text.rstrip(" ?.!")}".',
             )
+            return
+        # The next stage works while the others are told.
+        self._stage.passes_on(message.command, describe(plan))
+        if not message.plan.nodes:
+            # 2012 cannot say how often or for how long.
+            self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
 
 
 def _told(errors: Sequence[str], remark: str) -> List[str]:

@@ -1,0 +1,58 @@
+"""A registrar that has just started waits for servers that register again."""
+
+import threading
+import time
+from typing import List, Union
+
+from frame_registrar.beginning import Beginning
+from frame_registrar.search import Refusal
+
+MISSING = Refusal("NO_SERVER", "No server is registered.")
+
+
+def test_a_server_that_registers_late_is_found() -> None:
+    beginning = Beginning(settle_s=30.0)
+    registered: List[str] = []
+
+    def find() -> Union[str, Refusal]:
+        return "ping" if "ping" in registered else MISSING
+
+    def register() -> None:
+        for name in ("turn", "ping"):
+            time.sleep(0.05)
+            registered.append(name)
+            beginning.hear_registration()
+
+    server = threading.Thread(target=register)
+    server.start()
+    assert beginning.search(find) == "ping"
+    assert registered == ["turn", "ping"]
+    server.join()
+
+
+def test_a_registration_during_the_search_counts() -> None:
+    beginning = Beginning(settle_s=30.0)
+    outcomes: List[Union[str, Refusal]] = [MISSING, "ping"]
+
+    def find() -> Union[str, Refusal]:
+        beginning.hear_registration()
+        return outcomes.pop(0)
+
+    assert beginning.search(find) == "ping"
+
+
+def test_another_refusal_is_told_at_once() -> None:
+    missing_element = Refusal("MISSING_ELEMENT", "Which mug?")
+    assert Beginning(settle_s=1000.0).search(lambda: missing_element) == missing_element
+
+
+def test_when_it_is_over_a_missing_server_is_told_at_once() -> None:
+    searches: List[None] = []
+
+    def find() -> Refusal:
+        searches.append(None)
+        return MISSING
+
+    assert Beginning(settle_s=0.0).search(find) == MISSING
+    assert len(searches) == 1
+    assert Beginning(settle_s=0.05).search(find) == MISSING
