@@ -2,18 +2,19 @@
 
 import argparse
 import os
+import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, List, Sequence
 
-from .demand import FORMS, Demand, Figure, chance_of
+from .demand import FORMS, LANES, Demand, Figure, chance_of
 from .demands import DEMANDS
 from .table import TrialFile, figures_of, markdown
 
 _SEED = 20120514
-_END_TIMEOUT_S = 60.0
 
 
 def main() -> int:
@@ -28,6 +29,8 @@ def main() -> int:
     arguments = parser.parse_args()
     folder = arguments.folder / f"{arguments.form}-{arguments.seed}"
     if arguments.make_trials:
+        # A campaign that is ended leaves no robot behind.
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
         make_trials(DEMANDS[arguments.make_trials], arguments.form, arguments.seed, folder)
         return 0
     names = [name for name in arguments.only.split(",") if name] or list(DEMANDS)
@@ -45,18 +48,23 @@ def run(demands: Sequence[Demand], form: str, seed: int, base: Path, folder: Pat
     begin_s, load = time.monotonic(), os.getloadavg()[0]
     print(f"form {form}, seed {seed}; trials in {folder}", flush=True)
     command = [sys.executable, "-m", "campaign", "--form", form, "--seed", str(seed), "--folder", str(base)]
-    beside = [subprocess.Popen([*command, "--make-trials", demand.name]) for demand in demands if demand.is_beside]
     loads: Dict[str, float] = {}
-    for demand in demands:
-        if not demand.is_beside:
-            print(f"{demand.name}: {demand.title}, {demand.count(form)} trials", flush=True)
-            subprocess.run([*command, "--make-trials", demand.name], check=False)
-            loads[demand.name] = os.getloadavg()[0]
-    for process in beside:
-        process.wait()
+
+    def try_lane(lane: str) -> None:
+        for demand in demands:
+            if demand.lane == lane:
+                print(f"{demand.name}: {demand.title}, {demand.count(form)} trials", flush=True)
+                subprocess.run([*command, "--make-trials", demand.name], check=False)
+                loads[demand.name] = os.getloadavg()[0]
+
+    with ThreadPoolExecutor(len(LANES)) as lanes:
+        list(lanes.map(try_lane, LANES))
     results: Dict[str, List[Figure]] = {}
+    taken: Dict[str, float] = {}
     for demand in demands:
-        results[demand.name] = figures_of(demand, TrialFile(_path(folder, demand.name)).trials, demand.count(form))
+        trials = TrialFile(_path(folder, demand.name)).trials
+        results[demand.name] = figures_of(demand, trials, demand.count(form))
+        taken[demand.name] = sum(trial["took_s"] for trial in trials) / 60.0
     about = {
         "Form": form,
         "Seed": str(seed),
@@ -64,6 +72,7 @@ def run(demands: Sequence[Demand], form: str, seed: int, base: Path, folder: Pat
         "Cores": str(os.cpu_count()),
         "Load before": f"{load:.1f}",
         "Load behind each": ", ".join(f"{name} {value:.1f}" for name, value in loads.items()),
+        "Minutes of the trials": ", ".join(f"{name} {minutes:.0f}" for name, minutes in taken.items()),
     }
     text = markdown(results, {demand.name: demand.title for demand in demands}, about)
     (folder / "table.md").write_text(text, encoding="utf-8")

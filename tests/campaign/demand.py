@@ -10,6 +10,9 @@ from typing import Any, Dict, List, Mapping, Sequence
 Trial = Mapping[str, Any]
 
 FORMS = ("short", "standard", "full")
+#: Demands of a lane are tried one after the other, and the lanes beside each other: those that attack a running robot,
+#: the suite of tests, a long day of a robot that is mostly idle, and all others.
+LANES = ROBOT, SUITE, DAY, OTHERS = ("robot", "suite", "day", "others")
 
 
 @dataclass(frozen=True)
@@ -36,13 +39,13 @@ class Demand:
         name: R1 to R18
         title: one line
         counts: number of trials in the forms short, standard and full
-        is_beside: whether it runs beside the other demands, because it is long and idle
+        lane: one of ``LANES``
     """
 
     name = ""
     title = ""
     counts = (0, 0, 0)
-    is_beside = False
+    lane = OTHERS
 
     def count(self, form: str) -> int:
         """Number of trials in a form of the campaign."""
