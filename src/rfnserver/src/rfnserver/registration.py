@@ -1,5 +1,6 @@
 """Registration requests of a server: what it asks the registrar and the framer for, and what they do not know yet."""
 
+import math
 import os
 import sys
 from dataclasses import dataclass, replace
@@ -161,16 +162,22 @@ class Answers:
         self._refused.pop(request, None)
         self._granted[request] = _Granted(circumstances.node_id, now_s)
 
-    def is_due(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> bool:
-        """Whether a missing request is to be made now."""
+    def confirm(self, request: RegistrationRequest, node_id: str) -> None:
+        """The other side knows what it granted, perhaps before its first word: now its id is known, too."""
+        granted = self._granted.get(request)
+        if granted is not None and not granted.node_id:
+            self._granted[request] = replace(granted, node_id=node_id)
+
+    def due_in_s(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> float:
+        """Return after how many seconds a missing request is to be made: 0 for now, infinity for not at all."""
         granted = self._granted.get(request)
         # Before the first word of the other side its id is not known.
         if granted is not None and granted.node_id in ("", circumstances.node_id):
-            return now_s - granted.answered_s >= self._retry_s
+            return max(0.0, granted.answered_s + self._retry_s - now_s)
         refused = self._refused.get(request)
         if refused is None or refused.circumstances != circumstances:
-            return True
-        return not refused.is_final and now_s - refused.asked_s >= self._retry_s
+            return 0.0
+        return math.inf if refused.is_final else max(0.0, refused.asked_s + self._retry_s - now_s)
 
 
 def file_state(path: str) -> FileState:

@@ -154,29 +154,45 @@ class Registration:
         )
         with self._condition:
             self._registrar = known
-            self._is_stale = True
-            self._condition.notify_all()
+            self._hear_known()
 
     def _on_lexicon(self, message: Lexicon) -> None:
         with self._condition:
             self._framer = KnownState(id=message.framer_id, files=frozenset(file.path for file in message.files))
-            self._is_stale = True
-            self._condition.notify_all()
+            self._hear_known()
+
+    def _hear_known(self) -> None:
+        """Take up what the other side knows. Called with the lock."""
+        missing = self._missing()
+        for request in self._requests:
+            if request not in missing:
+                self._answers.confirm(request, self._circumstances(request).node_id)
+        self._is_stale = True
+        self._condition.notify_all()
+
+    def _missing(self) -> Tuple[RegistrationRequest, ...]:
+        return missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
+
+    def _due_in_s(self, request: RegistrationRequest) -> float:
+        """Return after how many seconds a missing request is due. Called with the lock."""
+        if request in self._asking:
+            return RETRY_S
+        return self._answers.due_in_s(request, self._circumstances(request), now_s=time.monotonic())
 
     def _run(self) -> None:
         while not rospy.is_shutdown():
             with self._condition:
-                self._condition.wait_for(lambda: self._is_stale or self._is_closed, timeout=RETRY_S)
+                rest_s = min(map(self._due_in_s, self._missing()), default=RETRY_S)
+                self._condition.wait_for(lambda: self._is_stale or self._is_closed, timeout=min(rest_s, RETRY_S))
                 if self._is_closed:
                     return
                 self._is_stale = False
-                missing = missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
+                missing = self._missing()
                 unchecked = sorted(self._unchecked)
             for request in missing:
                 with self._condition:
                     # Looked up for each: another thread may have made the request meanwhile.
-                    is_due = self._answers.is_due(request, self._circumstances(request), now_s=time.monotonic())
-                    is_due = is_due and request not in self._asking
+                    is_due = self._due_in_s(request) <= 0.0
                 if not is_due:
                     continue
                 again = " again" if self._reported.get(request) == "" else ""

@@ -41,36 +41,36 @@ def refuse(answers: Answers, request: RegistrationRequest, circumstances: Circum
 def test_refused_file_is_offered_again_when_it_or_the_other_side_has_changed() -> None:
     answers = Answers(retry_s=10.0)
     asked = Circumstances("framer_1", (1, 20))
-    assert answers.is_due(UNIT, asked, now_s=100.0)
+    assert answers.due_in_s(UNIT, asked, now_s=100.0) == 0.0
     refuse(answers, UNIT, asked, is_final=True)
-    assert not answers.is_due(UNIT, asked, now_s=1e9)
-    assert answers.is_due(UNIT, Circumstances("framer_1", (2, 20)), now_s=100.0)
-    assert answers.is_due(UNIT, Circumstances("framer_1"), now_s=100.0)
-    assert answers.is_due(UNIT, Circumstances("framer_2", (1, 20)), now_s=100.0)
-    assert answers.is_due(FRAME, asked, now_s=100.0)
+    assert answers.due_in_s(UNIT, asked, now_s=1e9) > 0.0
+    assert answers.due_in_s(UNIT, Circumstances("framer_1", (2, 20)), now_s=100.0) == 0.0
+    assert answers.due_in_s(UNIT, Circumstances("framer_1"), now_s=100.0) == 0.0
+    assert answers.due_in_s(UNIT, Circumstances("framer_2", (1, 20)), now_s=100.0) == 0.0
+    assert answers.due_in_s(FRAME, asked, now_s=100.0) == 0.0
 
 
 def test_request_without_an_answer_is_repeated_after_a_time() -> None:
     answers = Answers(retry_s=10.0)
     asked = Circumstances("registrar_1")
     refuse(answers, REGISTRATION, asked, is_final=False)
-    assert not answers.is_due(REGISTRATION, asked, now_s=109.9)
-    assert answers.is_due(REGISTRATION, asked, now_s=110.0)
+    assert answers.due_in_s(REGISTRATION, asked, now_s=109.9) > 0.0
+    assert answers.due_in_s(REGISTRATION, asked, now_s=110.0) == 0.0
 
 
 @pytest.mark.parametrize("known_id", ["registrar_1", ""])
 def test_what_was_granted_is_not_asked_again_because_an_older_state_lacks_it(known_id: str) -> None:
     answers = Answers(retry_s=10.0)
     answers.grant(REGISTRATION, Circumstances(known_id), now_s=100.0)
-    assert not answers.is_due(REGISTRATION, Circumstances("registrar_1"), now_s=109.9)
-    assert answers.is_due(REGISTRATION, Circumstances("registrar_1"), now_s=110.0)
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_1"), now_s=109.9) > 0.0
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_1"), now_s=110.0) == 0.0
 
 
 def test_a_restarted_registrar_is_asked_at_once_for_what_the_old_one_granted() -> None:
     answers = Answers(retry_s=10.0)
     refuse(answers, REGISTRATION, Circumstances("registrar_1"), is_final=False)
     answers.grant(REGISTRATION, Circumstances("registrar_1"), now_s=105.0)
-    assert answers.is_due(REGISTRATION, Circumstances("registrar_2"), now_s=105.0)
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_2"), now_s=105.0) == 0.0
 
 
 def test_state_of_a_file(tmp_path: Path) -> None:
@@ -95,3 +95,17 @@ def test_relative_path_counts_from_the_working_directory_or_else_from_the_progra
     (elsewhere / "waving.yaml").touch()
     assert absolute_path("waving.yaml") == str(elsewhere / "waving.yaml")
     assert absolute_path("/a/waving.yaml") == "/a/waving.yaml"
+
+
+def test_a_server_that_started_just_before_the_registrar_restarted_asks_at_once() -> None:
+    answers = Answers(retry_s=10.0)
+    answers.grant(REGISTRATION, Circumstances(""), now_s=100.0)
+    answers.confirm(REGISTRATION, "registrar_1")
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_1"), now_s=103.0) == 7.0
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_2"), now_s=103.0) == 0.0
+
+
+def test_what_was_not_granted_is_not_confirmed() -> None:
+    answers = Answers(retry_s=10.0)
+    answers.confirm(REGISTRATION, "registrar_1")
+    assert answers.due_in_s(REGISTRATION, Circumstances("registrar_1"), now_s=100.0) == 0.0
