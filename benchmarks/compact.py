@@ -15,27 +15,18 @@ import time
 from typing import Dict
 
 import psutil
-from own_graph import OwnGraph
+from own_graph import BARE, OwnGraph
 from processor_time import processor_s
 
 START_TIMEOUT_S = 120.0
 ANSWER_S = 0.5
 SETTLE_S = 10.0
 IDLE_S = 60.0
-BARE = "bare"
 PARSER = "stanford_parser_ros"
 #: Simulation and rosout stand for hardware and for ROS: they are listed, and do not count as idle.
 NOT_OURS = ("turtlebot_sim", "rosout", "rosmaster", "roslaunch", BARE)
 ALLOWED_MB, ALLOWED_PARSER_MB = 600.0, 250.0
 ALLOWED_READY_S, ALLOWED_PERCENT = 8.0, 1.0
-
-
-def bare() -> None:
-    """A node that does nothing."""
-    import rospy
-
-    rospy.init_node(BARE)
-    rospy.spin()
 
 
 def ready_s(began_s: float) -> float:
@@ -67,7 +58,7 @@ def processes() -> Dict[str, psutil.Process]:
         words = process.cmdline()
         names = [word.partition(":=")[2] for word in words if word.startswith("__name:=")]
         programs = [os.path.basename(word) for word in words if os.path.basename(word) in (*NOT_OURS, "compact.py")]
-        name = (names or [BARE if words[-1] == BARE else "", *programs, ""])[0] or (programs or [""])[0]
+        name = (names or programs or [""])[0]
         if name and process.pid != os.getpid():
             found[name] = process
     return found
@@ -111,7 +102,7 @@ def main(compact: bool) -> int:
     worker = [sys.executable, os.path.abspath(__file__)]
     with tempfile.TemporaryDirectory() as folder, OwnGraph() as graph:
         graph.start_master()
-        graph.start([*worker, BARE])
+        graph.start_bare_node()
         files = [f"{name}_file:={folder}/{name}.sqlite" for name in ("world_memory", "standing_orders")]
         began_s = time.monotonic()
         graph.start(["roslaunch", "roboframenet_bringup", "robot.launch", f"compact:={str(compact).lower()}", *files])
@@ -119,9 +110,7 @@ def main(compact: bool) -> int:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == [BARE]:
-        bare()
-    elif sys.argv[1:2] == ["measure"]:
+    if sys.argv[1:2] == ["measure"]:
         raise SystemExit(measure(float(sys.argv[2])))
     else:
         parser = argparse.ArgumentParser(description=__doc__)

@@ -10,7 +10,7 @@ import sys
 import time
 
 import psutil
-from own_graph import OwnGraph
+from own_graph import BARE, OwnGraph
 from processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
@@ -21,15 +21,7 @@ DRIVE_S = 30.0
 RATE_FACTOR = 50.0
 ALLOWED_PERCENT, WANTED_FACTOR = 5.0, 10.0
 ROOMS = ("kitchen", "office", "bedroom", "garage")
-BARE, HOME = "bare", "home_sim"
-
-
-def bare() -> None:
-    """A node that does nothing."""
-    import rospy
-
-    rospy.init_node(BARE)
-    rospy.spin()
+HOME = "home_sim"
 
 
 def idle() -> int:
@@ -91,7 +83,7 @@ def main() -> int:
     worker = [sys.executable, os.path.abspath(__file__)]
     with OwnGraph() as graph:
         graph.start_master()
-        graph.start([*worker, BARE])
+        graph.start_bare_node()
         graph.start(["rosrun", "roboframenet_sim", HOME, "_rate_hz:=20"])
         status = graph.run([*worker, "idle"])
     with OwnGraph() as graph:
@@ -102,5 +94,5 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    programs = {BARE: bare, "idle": idle, "drive": drive}
+    programs = {"idle": idle, "drive": drive}
     raise SystemExit(programs[sys.argv[1]]() if sys.argv[1:] and sys.argv[1] in programs else main())

@@ -3,12 +3,15 @@
 import os
 import socket
 import subprocess
+import sys
 import time
 from contextlib import ExitStack
 from typing import Sequence
 
 import rosgraph
 
+#: Name of the node that does nothing.
+BARE = "bare"
 _START_TIMEOUT_S = 60.0
 _END_TIMEOUT_S = 30.0
 
@@ -58,6 +61,11 @@ class OwnGraph(ExitStack):
             if time.monotonic() > end_s:
                 raise SystemExit(f"no master within {_START_TIMEOUT_S:g} s")
             time.sleep(0.1)
+
+    def start_bare_node(self) -> None:
+        """Start the node that does nothing."""
+        program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bare_node.py")
+        self.start([sys.executable, program, f"__name:={BARE}"])
 
     def run(self, command: Sequence[str]) -> int:
         """Run a program to its end; returns its exit status."""

@@ -11,7 +11,7 @@ import tempfile
 import time
 from typing import Any, Callable, List
 
-from own_graph import OwnGraph
+from own_graph import BARE, OwnGraph
 from processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
@@ -20,14 +20,6 @@ IDLE_S = 60.0
 ORDERS = 100
 #: What the orders may take at most, per cent of a core.
 ALLOWED_PERCENT = 2.0
-
-
-def bare() -> None:
-    """A node that does nothing."""
-    import rospy
-
-    rospy.init_node("bare")
-    rospy.spin()
 
 
 def watcher() -> None:
@@ -93,7 +85,7 @@ def measure() -> int:
         wait_for(lambda: all(order.state == "waits" for order in kept[-1].orders), "an order does not wait")
         subscriber.unregister()
         time.sleep(SETTLE_S)
-        pids = {"100 standing orders": pid_of("/standing_orders"), "bare rospy node": pid_of("/bare")}
+        pids = {"100 standing orders": pid_of("/standing_orders"), "bare rospy node": pid_of(f"/{BARE}")}
         before = {name: processor_s(pid) for name, pid in pids.items()}
         time.sleep(IDLE_S)
         percent = {name: 100.0 * (processor_s(pid) - before[name]) / IDLE_S for name, pid in pids.items()}
@@ -112,12 +104,12 @@ def main() -> int:
     worker = [sys.executable, os.path.abspath(__file__)]
     with OwnGraph() as graph, tempfile.TemporaryDirectory() as folder:
         graph.start_master()
-        for name in ("bare", "watcher"):
-            graph.start([*worker, name])
+        graph.start_bare_node()
+        graph.start([*worker, "watcher"])
         graph.start(["rosrun", "standing_orders", "standing_orders", f"_file:={folder}/orders.sqlite"])
         return graph.run([*worker, "measure"])
 
 
 if __name__ == "__main__":
-    programs = {"bare": bare, "watcher": watcher, "measure": measure}
+    programs = {"watcher": watcher, "measure": measure}
     raise SystemExit(programs[sys.argv[1]]() if sys.argv[1:] and sys.argv[1] in programs else main())
