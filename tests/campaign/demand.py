@@ -10,9 +10,9 @@ from typing import Any, Dict, List, Mapping, Sequence
 Trial = Mapping[str, Any]
 
 FORMS = ("short", "standard", "full")
-#: Demands of a lane are tried one after the other, and the lanes beside each other: those that attack a running robot,
-#: the suite of tests, a long day of a robot that is mostly idle, and all others.
-LANES = ROBOT, SUITE, DAY, OTHERS = ("robot", "suite", "day", "others")
+#: Demands of a lane are tried one after the other, and the lanes beside each other: attacks, the suite of tests, and a
+#: long day of a robot that is mostly idle. More at once are too many for two cores: a node that was killed is back late.
+LANES = ATTACKS, SUITE, DAY = ("attacks", "suite", "day")
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Demand:
     name = ""
     title = ""
     counts = (0, 0, 0)
-    lane = OTHERS
+    lane = ATTACKS
 
     def count(self, form: str) -> int:
         """Number of trials in a form of the campaign."""

@@ -11,7 +11,7 @@ from typing import Any, Dict, List, Sequence
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from roboframenet_testing import comes_true, wait_until
 
-from .demand import DAY, ROBOT, Demand, Figure, Trial, all_of, at_most, none_of, quantile, values
+from .demand import DAY, Demand, Figure, Trial, all_of, at_most, none_of, quantile, values
 from .ros_robot import NODES, STAGES, Robot, running_robot, suspended
 from .words import odd_text
 
@@ -21,7 +21,6 @@ _REPLY_S = 30.0
 class OnRobot(Demand):
     """A demand whose trials share one running robot."""
 
-    lane = ROBOT
     arguments: Sequence[str] = ()
 
     def running(self) -> ExitStack:
