@@ -11,7 +11,7 @@ Trial = Mapping[str, Any]
 
 FORMS = ("short", "standard", "full")
 #: Demands of a lane are tried one after the other, and the lanes beside each other: attacks, the suite of tests, and a
-#: long day of a robot that is mostly idle. More at once are too many for two cores: a node that was killed is back late.
+#: long day of a robot that is mostly idle. With more at once, two cores are too slow: a killed node is back late.
 LANES = ATTACKS, SUITE, DAY = ("attacks", "suite", "day")
 
 
