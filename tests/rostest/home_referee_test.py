@@ -34,7 +34,7 @@ class TestHomeReferee(unittest.TestCase):
             commands, _ = draw(folder, slots, count=count, seed=rospy.get_param("~seed", 11))
         else:
             commands = read_annotated()[:count]
-        wait_for_pipeline(["navigating_to_location", "bringing", "placing", "guiding", "telling"])
+        wait_for_pipeline(["navigating_to_location", "taking", "bringing", "placing", "guiding", "telling"])
         runs = RosRuns(SPEAKER)
         judged = []
         for index, command in enumerate(commands):

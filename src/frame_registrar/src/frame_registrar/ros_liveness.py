@@ -15,6 +15,8 @@ from roboframenet_ros.timed_transport import TimedTransport
 #: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
 #: registered just before it started.
 _SECOND_LOOK_S = 1.0
+#: So long after the last change, seconds, a server that is not running is looked for at that pace: it may be starting.
+_HOPE_S = 30.0
 #: A node that listens and does not answer is busy; after this time, seconds, it counts as hung. Nobody listens at the
 #: address of one that has ended.
 _LONGEST_SILENCE_S = 10.0
@@ -55,6 +57,7 @@ class LivenessWatch:
         # When nodes that listen were first asked in vain, by the monotonic clock.
         self._silent_since_s: Dict[str, float] = {}
         self._dead: FrozenSet[str] = frozenset()
+        self._changed_s = 0.0
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, name="liveness", daemon=True)
         self._thread.start()
@@ -65,7 +68,7 @@ class LivenessWatch:
         self._thread.join(self._period_s + 10.0 * self._timeout_s)
 
     def _run(self) -> None:
-        while not self._stop.wait(self._period_s):
+        while not self._stop.wait(self._pause_s()):
             servers = tuple(self._servers())
             if not servers:
                 continue
@@ -77,8 +80,13 @@ class LivenessWatch:
                 # When the master does not answer, nothing is known about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
-            self._dead = dead
+            if dead != self._dead:
+                self._dead, self._changed_s = dead, time.monotonic()
             self._on_dead(dead)
+
+    def _pause_s(self) -> float:
+        is_hopeful = self._dead and time.monotonic() < self._changed_s + _HOPE_S
+        return min(_SECOND_LOOK_S, self._period_s) if is_hopeful else self._period_s
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
         state, types = self._master.graph()

@@ -162,6 +162,10 @@ class Answers:
         self._refused.pop(request, None)
         self._granted[request] = _Granted(circumstances.node_id, now_s)
 
+    def unconfirmed(self) -> FrozenSet[RegistrationRequest]:
+        """Return what was granted by one whose id was not known."""
+        return frozenset(request for request, granted in self._granted.items() if not granted.node_id)
+
     def confirm(self, request: RegistrationRequest, node_id: str) -> None:
         """The other side knows what it granted, perhaps before its first word: now its id is known, too."""
         granted = self._granted.get(request)

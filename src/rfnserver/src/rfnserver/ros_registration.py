@@ -163,9 +163,9 @@ class Registration:
 
     def _hear_known(self) -> None:
         """Take up what the other side knows. Called with the lock."""
-        missing = self._missing()
-        for request in self._requests:
-            if request not in missing:
+        unconfirmed = self._answers.unconfirmed()
+        if unconfirmed:
+            for request in unconfirmed.difference(self._missing()):
                 self._answers.confirm(request, self._circumstances(request).node_id)
         self._is_stale = True
         self._condition.notify_all()
@@ -180,10 +180,10 @@ class Registration:
         return self._answers.due_in_s(request, self._circumstances(request), now_s=time.monotonic())
 
     def _run(self) -> None:
+        rest_s = RETRY_S
         while not rospy.is_shutdown():
             with self._condition:
-                rest_s = min(map(self._due_in_s, self._missing()), default=RETRY_S)
-                self._condition.wait_for(lambda: self._is_stale or self._is_closed, timeout=min(rest_s, RETRY_S))
+                self._condition.wait_for(lambda: self._is_stale or self._is_closed, timeout=rest_s)
                 if self._is_closed:
                     return
                 self._is_stale = False
@@ -201,6 +201,8 @@ class Registration:
             self._tell_remarks()
             for frame_name in unchecked:
                 self._check_late(frame_name)
+            with self._condition:
+                rest_s = min([RETRY_S, *map(self._due_in_s, missing)])
 
     def _circumstances(self, request: RegistrationRequest) -> Circumstances:
         """Return what the answer to a request depends on. Called with the lock."""
