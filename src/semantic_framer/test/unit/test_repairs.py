@@ -183,6 +183,14 @@ def test_words_that_correct_nothing_do_not_make_a_command(understand: Any, text:
     assert isinstance(outcome, Refusal) and outcome.code in ("NEGATED", "DECLINED")
 
 
+@pytest.mark.parametrize(
+    "text", ["Turn right 5,5 radians.", "Go forward 5,5 centimeters.", "turn right 5, 5 radians", "turn left 90 90 degrees"]
+)
+def test_a_number_that_is_written_twice_is_no_restart(understand: Any, text: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Refusal) and outcome.code == "LEFT_OVER_WORDS"
+
+
 TERMS = ("no", ", no,", "sorry", ", sorry,", "I mean", "uh I mean", "no wait", "no, I mean", "or rather", "uh no sorry")
 PAIRS = (
     ("turn {}", "left", "right"),

@@ -53,14 +53,15 @@ def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
 def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Drop the first of two equal words in a row: "turn turn left", "ninety uh ninety degrees".
 
-    A repeated number without a filler is two digits, and "very very" is an emphasis.
+    A repeated number without a filler is two digits, also with a comma between figures: "5,5" may mean 5.5. "Very very"
+    is an emphasis.
     """
     said = [word for word in tree.words if not is_filler(word.form) and word.upos != "PUNCT"]
     for first, second in zip(said, said[1:]):
         is_restart = (
             first.form.lower() == second.form.lower()
             and first.upos not in ("ADV", "ADJ", "INTJ")
-            and (first.upos != "NUM" or second.index > first.index + 1)
+            and (first.upos != "NUM" or _is_number_said_again(tree, first, second))
         )
         if not is_restart:
             continue
@@ -75,6 +76,11 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         except NotATree:
             continue
     return tree
+
+
+def _is_number_said_again(tree: DependencyTree, first: Word, second: Word) -> bool:
+    between = tree.words[first.index : second.index - 1]
+    return any(is_filler(word.form) for word in between) or bool(between) and first.form.isalpha()
 
 
 def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> Optional[Tuple[int, int, bool]]:
