@@ -2,7 +2,7 @@
 
 import threading
 import time
-from typing import Dict, Optional, Sequence, Tuple
+from typing import Callable, Dict, Optional, Sequence, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalID
@@ -60,13 +60,35 @@ class RunningGoals:
         self._record.close()
 
     def _cancel(self, left_over: Sequence[Tuple[str, str]]) -> None:
+        connections = _Connections()
         publishers = [
-            (rospy.Publisher(f"{server}/cancel", GoalID, queue_size=10), server, goal_id)
+            (rospy.Publisher(f"{server}/cancel", GoalID, subscriber_listener=connections, queue_size=10), goal_id)
             for server, goal_id in left_over
         ]
+        for server, _ in left_over:
+            rospy.logwarn("cancels the goal that the killed executor had left at %s", server)
         end_s = time.monotonic() + _CONNECT_TIMEOUT_S
-        for publisher, server, goal_id in publishers:
-            while publisher.get_num_connections() == 0 and time.monotonic() < end_s:
-                time.sleep(0.05)
-            rospy.logwarn("cancelled the goal that the killed executor had left at %s", server)
-            publisher.publish(GoalID(id=goal_id))
+        # Any of the subscribers may be the server, and not the first one: each new one gets all of them.
+        while connections.wait_for_new(end_s - time.monotonic()):
+            for publisher, goal_id in publishers:
+                publisher.publish(GoalID(id=goal_id))
+
+
+class _Connections(rospy.SubscribeListener):
+    """Tells when a subscriber has connected."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._is_new = threading.Event()
+
+    def peer_subscribe(
+        self, topic_name: str, topic_publish: Callable[[GoalID], None], peer_publish: Callable[[GoalID], None]
+    ) -> None:
+        """Note it; called by rospy."""
+        self._is_new.set()
+
+    def wait_for_new(self, timeout_s: float) -> bool:
+        """Wait until a subscriber has connected since the last call; return whether one has."""
+        is_new = self._is_new.wait(max(0.0, timeout_s))
+        self._is_new.clear()
+        return is_new
