@@ -52,8 +52,12 @@ def relay() -> None:
 class Measurement:
     """Sends, and notes what arrives when."""
 
-    def __init__(self) -> None:
-        """Connect to everything; returns when all of it is up."""
+    def __init__(self, frames: Sequence[str] = ("pinging",)) -> None:
+        """Connect to everything; returns when all of it is up.
+
+        Args:
+            frames: that can be said
+        """
         import actionlib
         import roboframenet_msgs.msg
         import rospy
@@ -79,8 +83,9 @@ class Measurement:
         ]
         for service in ("register_with_frame", "add_lexical_unit"):
             rospy.wait_for_service(service, timeout=START_TIMEOUT_S)
-        if not self._server.register_with_frame("pinging"):
-            raise SystemExit(self._server.last_error)
+        for frame in frames:
+            if not self._server.register_with_frame(frame):
+                raise SystemExit(self._server.last_error)
         # Only to see whether the parser listens.
         self._publishers["command_text"] = rospy.Publisher("command_text", roboframenet_msgs.msg.Command, queue_size=1)
         wait_for_connections(self._missing, START_TIMEOUT_S)
@@ -127,9 +132,13 @@ class Measurement:
         goal = self._send("bare_order", "", [GOAL])[GOAL] - hop
         return {HOP: hop, GOAL: goal, "floor": len(STAGES) * hop + goal}
 
-    def whole(self) -> Dict[str, float]:
+    def to_goal_ms(self, text: str = TEXT) -> float:
         """Milliseconds from a text to its goal."""
-        return {"text to goal": self._send("text", TEXT, [EXECUTOR, REPLY])[EXECUTOR]}
+        return self._send("text", text, [EXECUTOR, REPLY])[EXECUTOR]
+
+    def whole(self) -> Dict[str, float]:
+        """Milliseconds from the same text to its goal."""
+        return {"text to goal": self.to_goal_ms()}
 
     def stages(self) -> Dict[str, float]:
         """Milliseconds of each stage, from the message of the last one to its own."""
