@@ -184,7 +184,8 @@ def test_words_that_correct_nothing_do_not_make_a_command(understand: Any, text:
 
 
 @pytest.mark.parametrize(
-    "text", ["Turn right 5,5 radians.", "Go forward 5,5 centimeters.", "turn right 5, 5 radians", "turn left 90 90 degrees"]
+    "text",
+    ["Turn right 5,5 radians.", "Go forward 5,5 centimeters.", "turn right 5, 5 radians", "turn left 90 90 degrees"],
 )
 def test_a_number_that_is_written_twice_is_no_restart(understand: Any, text: str) -> None:
     outcome, _ = understand(text)

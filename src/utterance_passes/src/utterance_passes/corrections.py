@@ -80,7 +80,7 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _is_number_said_again(tree: DependencyTree, first: Word, second: Word) -> bool:
     between = tree.words[first.index : second.index - 1]
-    return any(is_filler(word.form) for word in between) or bool(between) and first.form.isalpha()
+    return any(is_filler(word.form) for word in between) or (bool(between) and first.form.isalpha())
 
 
 def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> Optional[Tuple[int, int, bool]]:
