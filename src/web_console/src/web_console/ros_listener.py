@@ -1,6 +1,7 @@
 """Hears the pipeline, and keeps the views of its commands."""
 
 import threading
+import time
 from typing import Any, Callable, Iterable, List, Tuple
 
 import rospy
@@ -35,8 +36,9 @@ from web_console.ros_values import (
 )
 from web_console.views import ProblemsView, ProblemView, StatusView
 
-#: Messages are read when a command has passed most stages. A page may be late by less than a person sees.
-_PATIENCE_S = 0.03
+#: Messages are read when none has come for a while: while the parser parses, or when the command has passed the stages,
+#: which need the processor. A page may be late by less than a person sees, seconds.
+_QUIET_S, _PATIENCE_S = 0.02, 0.06
 
 
 class Listener:
@@ -76,6 +78,7 @@ class Listener:
         self._on_stop_report = on_stop_report
         self._lock = threading.Lock()
         self._waiting: List[Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = []
+        self._last_s = 0.0
         self._problems: dict[str, Tuple[ProblemView, ...]] = {}
         self._subscribers: List[rospy.Subscriber] = []
 
@@ -111,16 +114,23 @@ class Listener:
         )
 
     def _arrived(self, kind: Any, callback: Callable[[Any], None], message: rospy.AnyMsg) -> None:
+        now_s = time.monotonic()
         with self._lock:
             self._waiting.append((kind, callback, message))
+            self._last_s = now_s
             is_first = len(self._waiting) == 1
         if is_first:
-            self._call_soon(self._call_later, _PATIENCE_S, self._read)
+            self._call_soon(self._call_later, _QUIET_S, self._read_when_quiet, now_s + _PATIENCE_S)
 
-    def _read(self) -> None:
-        """Read what has arrived, in its order."""
+    def _read_when_quiet(self, end_s: float) -> None:
+        """Read what has arrived, in its order, when no more comes, at the latest at a monotonic time in seconds."""
         with self._lock:
-            waiting, self._waiting = self._waiting, []
+            rest_s = min(self._last_s + _QUIET_S, end_s) - time.monotonic()
+            if rest_s <= 0.0:
+                waiting, self._waiting = self._waiting, []
+        if rest_s > 0.0:
+            self._call_later(rest_s, self._read_when_quiet, end_s)
+            return
         for kind, callback, message in waiting:
             show(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
 
