@@ -166,7 +166,7 @@ class DyingServer(OnExecutor):
 
     def trial(self, number: int, chance: random.Random) -> Dict[str, Any]:
         """Let it die."""
-        wait_until(lambda: self.reply_of(self.send([("succeed", "mortal")]))[1].reply.code == "DONE", 60.0)
+        wait_until(self._is_back, 60.0, "mortal does not come back")
         since_s = time.monotonic()
         command = self.send([("die", "mortal")], [("succeed", "two")])
         death_s = self.logged_s("mortal begins die", since_s) + self._LIFE_S
@@ -177,6 +177,12 @@ class DyingServer(OnExecutor):
             "not_done": int(end.reply.code != "DONE"),
             "unnamed": int("mortal" not in end.reply.sentence),
         }
+
+    def _is_back(self) -> bool:
+        """Whether it obeys, and what it logs arrives."""
+        since_s = time.monotonic()
+        is_done = self.reply_of(self.send([("succeed", "mortal")]))[1].reply.code == "DONE"
+        return is_done and any(text == "mortal begins succeed" and at_s >= since_s for at_s, text in list(self.log))
 
     def figures(self, trials: Sequence[Trial]) -> List[Figure]:
         """From the death to the goal of the other server."""
