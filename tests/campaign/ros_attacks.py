@@ -63,6 +63,10 @@ class OddUtterances(OnRobot):
         since_s = self.robot.say(text)
         # What arrives may differ from what was said: characters that are no text are replaced on the way.
         is_answered = comes_true(lambda: bool(self.robot.replies(since_s)), _REPLY_S)
+        if not is_answered:
+            # "Follow me" goes on until somebody ends it; then it has a reply, beside that of the stop.
+            self.robot.say("Stop.")
+            is_answered = comes_true(lambda: len(self.robot.replies(since_s)) > 1, _REPLY_S)
         time.sleep(0.05)
         dead = sum(self._pids.get(node) != pid for node, pid in self.robot.pids().items()) if number % 20 == 19 else 0
         if dead:
