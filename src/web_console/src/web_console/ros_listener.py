@@ -1,7 +1,6 @@
 """Hears the pipeline, and keeps the views of its commands."""
 
 import threading
-import time
 from typing import Any, Callable, Iterable, List, Tuple
 
 import rospy
@@ -36,9 +35,8 @@ from web_console.ros_values import (
 )
 from web_console.views import ProblemsView, ProblemView, StatusView
 
-#: Messages are read when none has come for a while: while the parser parses, or when the command has passed the stages,
-#: which need the processor. A page may be late by less than a person sees, seconds.
-_QUIET_S, _PATIENCE_S = 0.02, 0.06
+#: Messages are read when a command has passed most stages. A page may be late by less than a person sees.
+_PATIENCE_S = 0.03
 
 
 class Listener:
@@ -78,7 +76,6 @@ class Listener:
         self._on_stop_report = on_stop_report
         self._lock = threading.Lock()
         self._waiting: List[Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = []
-        self._last_s = 0.0
         self._problems: dict[str, Tuple[ProblemView, ...]] = {}
         self._subscribers: List[rospy.Subscriber] = []
 
@@ -114,23 +111,16 @@ class Listener:
         )
 
     def _arrived(self, kind: Any, callback: Callable[[Any], None], message: rospy.AnyMsg) -> None:
-        now_s = time.monotonic()
         with self._lock:
             self._waiting.append((kind, callback, message))
-            self._last_s = now_s
             is_first = len(self._waiting) == 1
         if is_first:
-            self._call_soon(self._call_later, _QUIET_S, self._read_when_quiet, now_s + _PATIENCE_S)
+            self._call_soon(self._call_later, _PATIENCE_S, self._read)
 
-    def _read_when_quiet(self, end_s: float) -> None:
-        """Read what has arrived, in its order, when no more comes, at the latest at a monotonic time in seconds."""
+    def _read(self) -> None:
+        """Read what has arrived, in its order."""
         with self._lock:
-            rest_s = min(self._last_s + _QUIET_S, end_s) - time.monotonic()
-            if rest_s <= 0.0:
-                waiting, self._waiting = self._waiting, []
-        if rest_s > 0.0:
-            self._call_later(rest_s, self._read_when_quiet, end_s)
-            return
+            waiting, self._waiting = self._waiting, []
         for kind, callback, message in waiting:
             show(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
 
