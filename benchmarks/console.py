@@ -27,6 +27,7 @@ URL = f"http://127.0.0.1:{PORT}/"
 IDLE_S = 20.0
 #: Memory that has not changed for so many seconds stands still.
 STILL_S = 8
+LONGEST_LOADING_S = 180
 TURNS, TEXTS = 5, 40
 EVENTS = 200
 LOADS = 5
@@ -217,9 +218,15 @@ def compare(measurement: Measurement) -> None:
 
 
 def wait_for_stanza() -> None:
-    """Wait until the memory of the parser stands still: it parses without Stanza until that is loaded."""
+    """Wait until the memory of the parser stands still: it parses without Stanza until that is loaded.
+
+    Raises:
+        SystemExit: it grows on
+    """
     sizes: List[float] = []
     while len(sizes) < STILL_S or max(sizes[-STILL_S:]) > 1.01 * min(sizes[-STILL_S:]):
+        if len(sizes) >= LONGEST_LOADING_S:
+            raise SystemExit(f"the parser still grows after {LONGEST_LOADING_S} s")
         sizes.append(memory_mb(pid_of("/stanford_parser_ros")))
         time.sleep(1.0)
 

@@ -120,9 +120,11 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
     end_s, whole = max(ends, key=lambda one: len(one[1].pcm))
     pauses = [(now_s, one) for now_s, one in pauses if one.begin_s == whole.begin_s]
     with ThreadPoolExecutor(1) as beside:
-        if whole.end_s - whole.begin_s <= LONGEST_S:
-            beside.submit(_search_in_time, spotter.is_stop, pauses, (end_s, whole))
+        is_short = whole.end_s - whole.begin_s <= LONGEST_S
+        stop = beside.submit(_search_in_time, spotter.is_stop, pauses, (end_s, whole)) if is_short else None
         heard, at_s = _search_in_time(ears.hear, pauses, (end_s, whole))
+        if stop is not None:
+            stop.result()
     return heard, at_s - whole.end_s
 
 
