@@ -20,6 +20,9 @@ from roboframenet_testing import comes_true, wait_until
 ROBOTS = ("alpha", "beta", "gamma")
 #: Slower is standing: metres or radians a second.
 STANDING = 0.01
+#: x, y, and z and w of the quaternion of the yaw.
+Pose = Tuple[float, float, float, float]
+Poses = Dict[str, Pose]
 _WAIT_S = 90.0
 _REST_S = 0.5
 _AGAIN_S = 5.0
@@ -32,7 +35,7 @@ class Seen:
     speed: float = 0.0
     heard_s: float = 0.0
     moved_s: float = 0.0
-    pose: Tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    pose: Pose = (0.0, 0.0, 0.0, 1.0)
     replies: List[Reply] = field(default_factory=list)
 
 
@@ -106,11 +109,11 @@ class Robots:
         )
         return next(reply for reply in replies[before:] if reply.command.text == text)
 
-    def turned(self) -> Dict[str, Tuple[float, float, float, float]]:
+    def turned(self) -> Poses:
         """The poses of all robots."""
         return {robot: seen.pose for robot, seen in self.seen.items()}
 
-    def who_moved(self, before: Dict[str, Tuple[float, float, float, float]]) -> Tuple[str, ...]:
+    def who_moved(self, before: Poses) -> Tuple[str, ...]:
         """The robots whose pose is another one."""
         return tuple(
             robot

@@ -7,7 +7,7 @@ import rospy
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import Header
 
-from fleet_robots import ROBOTS, Robots, kill
+from fleet_robots import ROBOTS, Poses, Robots, kill
 from roboframenet_testing import comes_true, wait_until
 
 
@@ -18,8 +18,12 @@ class FleetTest(unittest.TestCase):
         cls.robots = Robots()
         cls.robots.wait_until_ready()
 
+    def poses_at_rest(self) -> Poses:
+        self.assertTrue(self.robots.stand(ROBOTS))
+        return self.robots.turned()
+
     def assert_moves(self, text: str, *robots: str, to: str = "") -> Reply:
-        before = self.robots.turned()
+        before = self.poses_at_rest()
         reply = self.robots.ask(text, to=to)
         self.assertEqual((reply.outcome, reply.code), (Reply.DONE, "DONE"), reply.sentence)
         wait_until(lambda: self.robots.who_moved(before) == robots)
@@ -36,7 +40,7 @@ class FleetTest(unittest.TestCase):
 
     def test_2_the_topic_of_a_robot_speaks_to_it_alone(self) -> None:
         self.assert_moves("Turn left 20 degrees.", "gamma", to="gamma")
-        before = self.robots.turned()
+        before = self.poses_at_rest()
         reply = self.robots.ask("Beta, turn left 20 degrees.", to="gamma")
         self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "NOT_ADDRESSED"), reply.sentence)
         self.assertEqual(self.robots.who_moved(before), ())
@@ -54,7 +58,8 @@ class FleetTest(unittest.TestCase):
             self.assertTrue(self.robots.stand(stopped), text)
             others = [robot for robot in ROBOTS if robot not in stopped]
             for robot in others:
-                self.assertGreater(self.robots.seen[robot].speed, 0.1, f"{text} stopped {robot}")
+                # A machine under load may hold a robot up for a moment, and it goes on; what was stopped stands.
+                wait_until(lambda robot=robot: self.robots.seen[robot].speed > 0.1, 10.0, f"{text} stopped {robot}")
 
     def test_4_each_robot_keeps_its_standing_orders(self) -> None:
         def waits_for(text: str) -> str:

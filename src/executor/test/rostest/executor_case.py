@@ -51,17 +51,22 @@ class ExecutorCase(unittest.TestCase):
         cls.plans = rospy.Publisher("command_plan", CommandPlan, queue_size=1000)
         cls.stops = rospy.Publisher("stop_report", StopReport, queue_size=10)
         cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
+        cls.marks = rospy.Publisher("servers/mark", String, queue_size=10)
         cls.server_cancel = rospy.Publisher("one/cancel", GoalID, queue_size=10)
         subscribers = [rospy.Subscriber("stage_events", StageEvent, cls.events.append)]
         log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
         wait_until(
             lambda: all(
-                entity.get_num_connections() == 1 for entity in subscribers + [cls.plans, cls.stops, cls.cancels]
+                entity.get_num_connections() == 1
+                for entity in subscribers + [cls.plans, cls.stops, cls.cancels, cls.marks]
             )
         )
         wait_until(lambda: log.get_num_connections() == 3 and cls.server_cancel.get_num_connections() == 1)
 
     def setUp(self):
+        # The log comes on another connection than the replies: what the test before caused is to arrive first.
+        self.marks.publish(self.id())
+        self.wait_for_log(self.id())
         del self.log[:]
 
     def send(self, ways, stamp=None):

@@ -2,6 +2,7 @@
 """Action servers that behave as badly as the frame of each goal asks for.
 
 The name of the frame is the behaviour. Each goal that begins or ends is told on `server_log` as "SERVER WHAT FRAME".
+What comes on `~mark` is told there too, after what was told before.
 """
 
 import os
@@ -142,6 +143,7 @@ def main():
     rospy.init_node("misbehaving_server")
     log = rospy.Publisher("server_log", String, queue_size=1000)
     servers = [MisbehavingServer(name, log) for name in rospy.get_param("~servers")]
+    rospy.Subscriber("~mark", String, log.publish, queue_size=10)
     rospy.loginfo("%d servers", len(servers))
     rospy.spin()
 
