@@ -7,7 +7,6 @@ import signal
 import tempfile
 import unittest
 from typing import List, Optional
-from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
@@ -19,6 +18,7 @@ from std_msgs.msg import String
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_rostest import can_do
 from roboframenet_testing import comes_true, wait_until
+from roboframenet_testing.ros_processes import process_of
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 #: With ``compact``, these run in one process.
@@ -69,8 +69,7 @@ class FaultsTest(unittest.TestCase):
     def pid(self, node: str) -> int:
         """Return the process id of a node, 0 while it does not run."""
         try:
-            uri = rosgraph.Master("/faults_test").lookupNode(rospy.resolve_name(node))
-            return int(ServerProxy(uri).getPid("/faults_test")[2])
+            return process_of(node)
         except (OSError, rosgraph.MasterException):
             return 0
 

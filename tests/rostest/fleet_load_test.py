@@ -10,14 +10,13 @@ import unittest
 from collections import Counter
 from pathlib import Path
 from typing import Dict, List, Sequence
-from xmlrpc.client import ServerProxy
 
-import rosgraph
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, Fleet, FleetService, FrameServers, Reply
 from std_msgs.msg import String
 
 from roboframenet_testing import comes_true, wait_until
+from roboframenet_testing.ros_processes import process_of
 
 TEXT = "Turn left 2 degrees."
 #: Nodes of the language service.
@@ -34,10 +33,8 @@ def share(values: Sequence[float], part: float) -> float:
 
 def memory_mb(node: str) -> float:
     """Return the memory of the process of a node: its own, and its part of what it shares (PSS)."""
-    uri = rosgraph.Master("/fleet_load_test").lookupNode(node)
-    pid = ServerProxy(uri).getPid("/fleet_load_test")[2]
     (size,) = re.findall(
-        r"^Pss: +(\d+) kB$", Path(f"/proc/{pid}/smaps_rollup").read_text(encoding="ascii"), re.MULTILINE
+        r"^Pss: +(\d+) kB$", Path(f"/proc/{process_of(node)}/smaps_rollup").read_text(encoding="ascii"), re.MULTILINE
     )
     return int(size) / 1024.0
 

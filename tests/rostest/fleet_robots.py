@@ -4,18 +4,16 @@ import os
 import signal
 import threading
 import time
-import uuid
 from dataclasses import dataclass, field
 from typing import Dict, List, Tuple
-from xmlrpc.client import ServerProxy
 
-import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Fleet, FleetService, FrameServers, Reply
 from std_msgs.msg import String
 
 from roboframenet_testing import comes_true, wait_until
+from roboframenet_testing.ros_processes import process_of
 
 ROBOTS = ("alpha", "beta", "gamma")
 #: Slower is standing: metres or radians a second.
@@ -146,6 +144,4 @@ class Robots:
 
 def kill(node: str) -> None:
     """End the process of a node at once, as when its machine fails."""
-    uri = rosgraph.Master(f"/test_{uuid.uuid4().hex[:6]}").lookupNode(rospy.resolve_name(node))
-    pid = ServerProxy(uri).getPid("/test")[2]
-    os.kill(pid, signal.SIGKILL)
+    os.kill(process_of(node), signal.SIGKILL)

@@ -8,9 +8,7 @@ import tempfile
 import threading
 import unittest
 from typing import Dict, List
-from xmlrpc.client import ServerProxy
 
-import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -22,6 +20,7 @@ from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 from typed_arguments import TypedArgument
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
@@ -277,11 +276,9 @@ class FullGraphTest(unittest.TestCase):
     def test_99_stop_works_while_the_whole_pipeline_is_dead(self) -> None:
         self.say("Move forward 10 metres.")
         self.wait_for_motion()
-        master = rosgraph.Master("/full_graph_test")
         # With ``compact``, all of them but the parser are one process, with the command server.
         for name in ("stanford_parser_ros", "stages") if rospy.get_param("~compact", False) else PIPELINE:
-            _, _, pid = ServerProxy(master.lookupNode(rospy.resolve_name(name))).getPid("/full_graph_test")
-            os.kill(pid, signal.SIGKILL)
+            os.kill(process_of(name), signal.SIGKILL)
         self.assertEqual(self.say_and_wait("Stop.").outcome, Reply.DONE)
         self.wait_for_rest()
 

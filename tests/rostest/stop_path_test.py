@@ -9,7 +9,6 @@ import time
 import unittest
 from contextlib import contextmanager
 from typing import Iterator, List
-from xmlrpc.client import ServerProxy
 
 import actionlib
 import rosgraph
@@ -45,6 +44,7 @@ from std_msgs.msg import String
 
 from roboframenet_testing import wait_until
 from roboframenet_testing.ros_connections import is_connected
+from roboframenet_testing.ros_processes import process_of
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 DRIVE = "moving_forward distance=15,distance_unit=metres"
@@ -186,19 +186,14 @@ class StopPathTest(unittest.TestCase):
         reply = self.reply_to(text)
         self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
 
-    @staticmethod
-    def pid_of(node: str) -> int:
-        api = rosgraph.Master(rospy.get_name()).lookupNode(node)
-        return int(ServerProxy(api).getPid(rospy.get_name())[2])
-
     def kill(self, node: str) -> None:
         """Kill a node with SIGKILL and wait until it is back."""
-        old = self.pid_of(node)
+        old = process_of(node)
         os.kill(old, signal.SIGKILL)
 
         def is_back() -> bool:
             try:
-                return self.pid_of(node) != old
+                return process_of(node) != old
             except (rosgraph.MasterException, OSError):
                 return False
 
@@ -207,7 +202,7 @@ class StopPathTest(unittest.TestCase):
     @contextmanager
     def hung(self, *nodes: str) -> Iterator[None]:
         """Suspend nodes for the length of a block."""
-        pids = [self.pid_of(node) for node in nodes]
+        pids = [process_of(node) for node in nodes]
         for pid in pids:
             os.kill(pid, signal.SIGSTOP)
         try:

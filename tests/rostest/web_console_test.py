@@ -7,7 +7,6 @@ import shutil
 import signal
 import unittest
 from typing import Iterator, List, Optional
-from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
@@ -17,12 +16,9 @@ from selenium.webdriver.common.keys import Keys
 from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
 from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 
 MARKUP = "<img src=x onerror=alert(1)> turn <b>left</b> 10 degrees"
-
-
-def process_of(node: str) -> int:
-    return int(ServerProxy(rosgraph.Master("/test").lookupNode(node)).getPid("/test")[2])
 
 
 def alive(node: str) -> Optional[int]:

@@ -149,6 +149,21 @@ def send(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:
     return Goal(server=server, deadlines=deadlines, phase=Phase.SENT, since_s=now_s, heard_s=now_s)
 
 
+def postpone(goal: Goal, by_s: float) -> Goal:
+    """Move all deadlines: messages from the time in which this process did not run are still unread.
+
+    Args:
+        goal: the goal
+        by_s: how long the process did not run
+    """
+    return replace(
+        goal,
+        since_s=goal.since_s + by_s,
+        heard_s=goal.heard_s + by_s,
+        asked_s=None if goal.asked_s is None else goal.asked_s + by_s,
+    )
+
+
 def hear_sign(goal: Goal, *, now_s: float) -> Goal:
     """The server published its status or feedback, about this goal or another one."""
     return replace(goal, heard_s=now_s)

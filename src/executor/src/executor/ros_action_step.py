@@ -30,6 +30,8 @@ from typed_arguments.ros_messages import frame_to_message
 
 # The limits of the plan are looked at within this time.
 _LONGEST_WAIT_S = 0.1
+# A longer turn of the loop means that the process did not run.
+_LONGEST_TURN_S = _LONGEST_WAIT_S + 0.4
 # After a suspension, messages that arrived meanwhile are read within this time.
 _WAKE_S = 0.5
 
@@ -143,7 +145,9 @@ class ActionStep(smach.State):
 
     def _carry_out_over(self, connection: ActionConnection, began_s: float) -> Goal:
         server, deadlines = self._frame.server, self._context.deadlines
+        suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         while not connection.is_ready():
+            began_s += suspension.turn()
             if self._is_to_end:
                 return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
             if time.monotonic() - began_s >= deadlines.acceptance_s:
@@ -216,7 +220,9 @@ class ActionStep(smach.State):
             uri: address of the process that got it, empty if it is not known yet
         """
         asked_s = float("-inf")
+        suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         while True:
+            goal = tracking.postpone(goal, suspension.turn())
             connected_uri = connection.node_uri()
             uri = uri or connected_uri
             if self._is_to_end:

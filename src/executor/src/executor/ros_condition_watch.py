@@ -13,6 +13,7 @@ from executor.goal_tracking import GoalDeadlines
 from executor.ros_action_clients import ActionClients
 from executor.ros_running_goals import RunningGoals
 from executor.ros_watch_goals import WatchGoal, WatchGoals
+from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 
 #: Pauses between two looks whether a server is connected, seconds: the first one, and the longest.
@@ -109,7 +110,9 @@ class ConditionWatch:
         is_sent = False
         try:
             look_s = _LOOK_S
+            suspension = SuspensionWatch(longest_turn_s=_LONGEST_LOOK_S + 0.4)
             while not connection.is_ready():
+                began_s += suspension.turn()
                 if self._is_closed.wait(look_s):
                     return ""
                 look_s = min(look_s * 1.25, _LONGEST_LOOK_S)

@@ -19,6 +19,7 @@ from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Phase
 from executor.ros_goal_news import Death, Feedback, apply, header_text, read_transition
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 from typed_arguments.ros_messages import frame_to_message
 
@@ -84,6 +85,12 @@ class WatchGoal:
         """End the watch; returns at once."""
         self._is_cancelled = True
         self._wake()
+
+    def postpone(self, by_s: float) -> None:
+        """Move all deadlines by the time in which this process did not run; from the thread that follows the goals."""
+        assert self._goal is not None
+        self._goal = tracking.postpone(self._goal, by_s)
+        self._observed_s += by_s
 
     def close(self) -> None:
         """Listen no more."""
@@ -171,13 +178,19 @@ class WatchGoals:
 
     def _run(self) -> None:
         look_s = time.monotonic()
+        suspension = SuspensionWatch(longest_turn_s=self._turn_s + 0.4)
         while True:
+            woken: Optional[WatchGoal] = None
             with contextlib.suppress(queue.Empty):
-                goal = self._awake.get(timeout=max(0.001, look_s - time.monotonic()))
-                # It may have ended, or be followed only in a moment.
-                if goal in self._goals:
-                    self._step(goal)
-                    look_s = min(look_s, goal.next_s())
+                woken = self._awake.get(timeout=max(0.001, look_s - time.monotonic()))
+            away_s = suspension.turn()
+            if away_s:
+                for goal in tuple(self._goals):
+                    goal.postpone(away_s)
+            # It may have ended, or be followed only in a moment.
+            if woken in self._goals:
+                self._step(woken)
+                look_s = min(look_s, woken.next_s())
             if time.monotonic() >= look_s:
                 for goal in tuple(self._goals):
                     self._step(goal)

@@ -1,11 +1,16 @@
 """Servers that misbehave: every way to fail is named, and the next candidate runs."""
 
+import os
+import signal
+import time
+
 import actionlib
 import rospy
 from executor_case import ExecutorCase, frame
 from roboframenet_msgs.msg import FilledSemanticFrameAction, Reply
 
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 
 
 class CandidateCases(ExecutorCase):
@@ -50,6 +55,18 @@ class CandidateCases(ExecutorCase):
             with self.subTest(behaviour=behaviour, server=server):
                 command = self.send([[frame(behaviour, server)], [frame("succeed", "two")]])
                 self.assert_reply(command, Reply.DONE, "DONE", part)
+
+    def test_server_is_not_silent_while_the_executor_does_not_run(self):
+        command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
+        self.wait_for_log("one begins run")
+        pid = process_of("executor")
+        os.kill(pid, signal.SIGSTOP)
+        time.sleep(rospy.get_param("executor/silence_timeout_s") + 0.5)
+        os.kill(pid, signal.SIGCONT)
+        time.sleep(1.0)
+        self.assertEqual(["one begins run"], self.log)
+        self.cancels.publish(command)
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED")
 
     def test_when_all_fail_each_server_is_named(self):
         command = self.send([[frame("abort", "one")], [frame("reject", "two")]])

@@ -5,9 +5,7 @@ import collections
 import os
 import signal
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
@@ -25,6 +23,7 @@ from std_msgs.msg import String
 
 from roboframenet_testing import wait_until
 from roboframenet_testing.ros_connections import is_connected
+from roboframenet_testing.ros_processes import process_of
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 
@@ -184,7 +183,7 @@ class CommandChainTest(unittest.TestCase):
     def test_z_stop_with_everything_else_hung(self):
         self.text.publish("run one")
         self.wait_for_log("one begins run")
-        pids = [self.pid_of(node) for node in ("/command_server", "/arbitrator", "/executor")]
+        pids = [process_of(node) for node in ("/command_server", "/arbitrator", "/executor")]
         for pid in pids:
             os.kill(pid, signal.SIGSTOP)
         try:
@@ -201,11 +200,6 @@ class CommandChainTest(unittest.TestCase):
         self.text.publish("succeed one")
         self.assertEqual("DONE", self.wait_for_replies("succeed one")[0].code)
         self.assertEqual(1, len(self.replies_to("Stop.")))
-
-    @staticmethod
-    def pid_of(node):
-        api = rosgraph.Master(rospy.get_name()).lookupNode(node)
-        return xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())[2]
 
 
 if __name__ == "__main__":

@@ -4,9 +4,7 @@
 import os
 import signal
 import sys
-import xmlrpc.client
 
-import rosgraph
 import rostest
 from roboframenet_msgs.msg import Reply
 
@@ -14,6 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from executor_case import ExecutorCase, frame
 
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 
 
 class QuarantineTest(ExecutorCase):
@@ -30,7 +29,7 @@ class QuarantineTest(ExecutorCase):
             "freezing is out of use until it ends its last goal: it was silent",
         )
         self.assertNotIn("freezing begins succeed", self.log)
-        os.kill(self.pid_of("/frozen"), signal.SIGKILL)
+        os.kill(process_of("/frozen"), signal.SIGKILL)
         wait_until(lambda: self.is_used_again("freezing"), message="freezing is still out of use")
 
     def test_server_that_ends_late_is_used_again(self):
@@ -47,11 +46,6 @@ class QuarantineTest(ExecutorCase):
             self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "four has died"
         )
         wait_until(lambda: self.is_used_again("four"), message="four is still out of use")
-
-    @staticmethod
-    def pid_of(node):
-        uri = rosgraph.Master("/quarantine_test").lookupNode(node)
-        return xmlrpc.client.ServerProxy(uri).getPid("/quarantine_test")[2]
 
     def is_used_again(self, server):
         return self.wait_for_reply(self.send([[frame("succeed", server)]])).code == "DONE"

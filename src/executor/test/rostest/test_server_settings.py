@@ -5,9 +5,7 @@ import os
 import signal
 import time
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rospy
 import rostest
 from dynamic_reconfigure.msg import Config
@@ -29,6 +27,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
 
@@ -145,8 +144,7 @@ class ServerSettingsTest(unittest.TestCase):
 
     def test_z_killed_executor_restores_and_cancels_when_it_is_back(self):
         self.run_photo()
-        api = rosgraph.Master(rospy.get_name()).lookupNode("/executor")
-        os.kill(xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())[2], signal.SIGKILL)
+        os.kill(process_of("executor"), signal.SIGKILL)
         wait_until(lambda: "photo preempted run" in self.log)
         self.assert_cameras(BEFORE, BEFORE)
 

@@ -110,6 +110,19 @@ def test_silent_server_fails_and_is_cancelled():
     assert cancels[0] == 105.0
 
 
+def test_time_in_which_nobody_listened_is_no_silence():
+    goal = tracking.postpone(accepted(), 60.0)
+    step = tracking.tick(goal, now_s=161.0 + DEADLINES.silence_s - 0.1)
+    assert step.goal.phase is Phase.ACCEPTED and not step.is_cancel_due
+    assert tracking.tick(step.goal, now_s=161.0 + DEADLINES.silence_s).goal.phase is Phase.CANCELLING
+
+
+def test_result_that_is_unread_is_not_missing():
+    goal = tracking.postpone(tracking.hear_status(accepted(), GoalStatusCode.SUCCEEDED, now_s=102.0), 60.0)
+    goal = tracking.tick(goal, now_s=162.5).goal
+    assert result(goal, GoalStatusCode.SUCCEEDED, True, now_s=162.6).outcome is Outcome.SUCCEEDED
+
+
 def test_signs_keep_a_long_goal_alive():
     goal = accepted()
     for second in range(102, 300):

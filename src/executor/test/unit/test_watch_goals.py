@@ -28,6 +28,9 @@ class Goal:
             raise RuntimeError("as asked for")
         return "was late" if time.monotonic() >= self.ends_s else self.reason
 
+    def postpone(self, by_s: float) -> None:
+        self.ends_s += by_s
+
     def next_s(self) -> float:
         return self.look_s()
 

@@ -274,3 +274,16 @@ def test_motion_goes_on_after_a_pause_of_the_simulation():
     rig.now_s = begun_s + clock.now_s()
     assert rig.run().state is MotionState.ARRIVED
     assert rig.gone_m() == pytest.approx(1.0, rel=0.02)
+
+
+def test_motion_goes_on_after_its_process_did_not_run():
+    rig, held_up_s = Rig(MotionKind.STRAIGHT, 1.0), 0.0
+    rig.run(seconds=1.0)
+    clock = PausableClock(ros_time_ns=lambda: 0, is_simulated=False, now=lambda: rig.now_s + held_up_s)
+    begin_s = clock.now_s()
+    held_up_s = 10.0 * SETTINGS.odometry_timeout_s
+    step = rig.motion.step(now_s=clock.now_s())
+    assert step.state is MotionState.MOVING and step.command == STANDING
+    rig.now_s += clock.now_s() - begin_s
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.gone_m() == pytest.approx(1.0, rel=0.02)

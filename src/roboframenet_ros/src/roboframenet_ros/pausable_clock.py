@@ -1,9 +1,10 @@
-"""A monotonic clock that stands while a simulation is paused."""
+"""A monotonic clock that stands while a simulation is paused, or while the process does not run."""
 
 import time
 from typing import Callable
 
-#: Between two changes of the simulated time at most this much passes; a longer time is a pause, seconds.
+#: Between two changes of the simulated time, or two looks at the machine's, at most this much passes; a longer time is
+#: a pause, seconds.
 LONGEST_TICK_S = 0.5
 #: A simulated time that stands for longer belongs to a simulator that has died, seconds.
 LONGEST_PAUSE_S = 300.0
@@ -12,7 +13,7 @@ LONGEST_PAUSE_S = 300.0
 class PausableClock:
     """Seconds of the monotonic clock without the time in which the ROS time stood still. One thread owns it.
 
-    With the time of the machine it is the monotonic clock.
+    With the time of the machine, it stands while nobody looks at it: a process that did not run has heard nothing.
     """
 
     def __init__(
@@ -33,14 +34,12 @@ class PausableClock:
         self._paused_s = 0.0
 
     def now_s(self) -> float:
-        """Return the time; call it often."""
+        """Return the time; call it several times in LONGEST_TICK_S."""
         now_s = self._now()
-        if not self._is_simulated:
-            return now_s
         stood_s = now_s - self._changed_s
         seen_ns = self._ros_time_ns()
         pause_s = min(max(0.0, stood_s - LONGEST_TICK_S), LONGEST_PAUSE_S)
-        if seen_ns != self._seen_ns:
+        if seen_ns != self._seen_ns or not self._is_simulated:
             self._seen_ns, self._changed_s = seen_ns, now_s
             self._paused_s += pause_s
             pause_s = 0.0

@@ -55,7 +55,16 @@ def test_simulator_that_has_died_does_not_stop_the_clock_for_ever() -> None:
     assert clock.now_s() - 100.0 >= LONGEST_PAUSE_S
 
 
-def test_time_of_the_machine_knows_no_pause() -> None:
+def test_time_of_the_machine_counts_while_somebody_looks() -> None:
+    clock, times = make(is_simulated=False)
+    for _ in range(50):
+        times.now_s += LONGEST_TICK_S
+        assert clock.now_s() == times.now_s
+
+
+def test_time_in_which_the_process_did_not_run_does_not_count() -> None:
     clock, times = make(is_simulated=False)
     times.now_s += 60.0
-    assert clock.now_s() == 160.0
+    assert clock.now_s() == 100.0 + LONGEST_TICK_S
+    times.now_s += 0.2
+    assert abs(clock.now_s() - (100.2 + LONGEST_TICK_S)) < 1e-9

@@ -19,6 +19,7 @@ from nav_msgs.msg import Odometry, Path
 from std_msgs.msg import Header
 
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import STANDING, Pose, Velocity
@@ -122,8 +123,9 @@ class MoveBaseSim:
         self._floor = grid.inflated(settings.inflation_radius_m)
         self._condition = threading.Condition()
         self._is_ending = threading.Event()
-        self._odometry: Optional[Tuple[Pose, float, str]] = None
+        self._odometry: Optional[Tuple[Pose, str]] = None
         self._is_new = False
+        self._seen_s = -math.inf
         self._follower: Optional[PathFollower] = None
         self._mark: Tuple[Pose, float] = (Pose(), 0.0)
         self._pose_sent_s = -math.inf
@@ -154,25 +156,30 @@ class MoveBaseSim:
             rospy.logerr_throttle(1.0, "odometry is not finite")
             return
         with self._condition:
-            self._odometry = (pose, time.monotonic(), message.header.frame_id)
+            self._odometry = (pose, message.header.frame_id)
             self._is_new = True
             self._condition.notify_all()
 
     def run(self) -> None:
         """Plan and drive until shutdown. This thread makes all decisions."""
+        clock = PausableClock(
+            ros_time_ns=lambda: rospy.Time.now().to_nsec(), is_simulated=not rospy.rostime.is_wallclock()
+        )
         while not self._is_ending.is_set():
             with self._condition:
                 if not self._is_new:
                     self._condition.wait(self.WAIT_S)
-                self._is_new = False
+                is_new, self._is_new = self._is_new, False
                 odometry = self._odometry
-            now_s = time.monotonic()
+            now_s = clock.now_s()
+            if is_new:
+                self._seen_s = now_s
             if odometry is not None:
-                self._publish_pose(odometry[0], odometry[2], now_s)
+                self._publish_pose(*odometry, now_s)
             if self._server.is_new_goal_available():
                 self._begin(self._server.accept_new_goal().target_pose, odometry, now_s)
             if self._server.is_active() and odometry is not None and self._follower is not None:
-                self._drive(self._follower, odometry[0], odometry[1], now_s)
+                self._drive(self._follower, odometry[0], now_s)
 
     def _publish_pose(self, pose: Pose, odom_frame: str, now_s: float) -> None:
         if odom_frame != self._joined_frame:
@@ -194,14 +201,14 @@ class MoveBaseSim:
         message.pose.orientation = quaternion_of_yaw(pose.yaw_rad)
         return message
 
-    def _begin(self, target: PoseStamped, odometry: Optional[Tuple[Pose, float, str]], now_s: float) -> None:
+    def _begin(self, target: PoseStamped, odometry: Optional[Tuple[Pose, str]], now_s: float) -> None:
         """Plan. The base stands during planning."""
         self._follower = None
         self._publish_velocity(STANDING)
         try:
-            if odometry is None or now_s - odometry[1] > self._settings.odometry_timeout_s:
+            if odometry is None or now_s - self._seen_s > self._settings.odometry_timeout_s:
                 raise NoPath("no odometry: the robot does not know where it is")
-            if target.header.frame_id not in ("", self._settings.map_frame, odometry[2]):
+            if target.header.frame_id not in ("", self._settings.map_frame, odometry[1]):
                 raise NoPath(
                     f'a goal in the frame "{target.header.frame_id}" cannot be used, '
                     f'only in "{self._settings.map_frame}"'
@@ -224,12 +231,12 @@ class MoveBaseSim:
     def _publish_plan(self, corners: List[Tuple[float, float]]) -> None:
         publish(self._plan, Path(header=self._header(), poses=[self._stamped(Pose(x, y)) for x, y in corners]))
 
-    def _drive(self, follower: PathFollower, pose: Pose, seen_s: float, now_s: float) -> None:
+    def _drive(self, follower: PathFollower, pose: Pose, now_s: float) -> None:
         if self._server.is_preempt_requested():
             self._publish_velocity(STANDING)
             self._server.set_preempted(text="the base stands")
             return
-        reason = self._trouble(pose, seen_s, now_s)
+        reason = self._trouble(pose, now_s)
         if reason:
             self._publish_velocity(STANDING)
             self._server.set_aborted(text=reason)
@@ -239,8 +246,8 @@ class MoveBaseSim:
         if velocity is None:
             self._server.set_succeeded(text="the goal is reached")
 
-    def _trouble(self, pose: Pose, seen_s: float, now_s: float) -> str:
-        if now_s - seen_s > self._settings.odometry_timeout_s:
+    def _trouble(self, pose: Pose, now_s: float) -> str:
+        if now_s - self._seen_s > self._settings.odometry_timeout_s:
             return "odometry is lost"
         mark, mark_s = self._mark
         if (
