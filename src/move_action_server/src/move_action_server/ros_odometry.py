@@ -11,6 +11,10 @@ from nav_msgs.msg import Odometry
 
 from move_action_server.motion import OdometrySample
 from move_action_server.unasked import MOST_UNREAD_BYTES, Unasked
+from roboframenet_ros.suspension import SuspensionWatch
+
+# A longer wait looks as often whether the process runs.
+_LONGEST_WAIT_S = 0.25
 
 
 class UnreadOdometry(Odometry):
@@ -127,17 +131,25 @@ class LatestOdometry:
         """
         end_s = time.monotonic() + timeout_s
         with self._condition:
+            wakes = self._wakes
             self._unasked.ask(count=self._count, now_s=time.monotonic())
             if self._is_pausing:
                 # What comes first has waited in the socket: its source may be dead.
                 than = max(than, self._count + 1)
                 self._is_pausing = False
                 self._condition.notify_all()
+        suspension = SuspensionWatch(longest_turn_s=_LONGEST_WAIT_S + 0.4)
         while True:
             with self._condition:
-                wakes, left_s = self._wakes, max(0.0, end_s - time.monotonic())
-                self._condition.wait_for(partial(self._is_over, than=than, wakes=wakes), left_s)
+                left_s = max(0.0, end_s - time.monotonic())
+                is_over = self._condition.wait_for(
+                    partial(self._is_over, than=than, wakes=wakes), min(left_s, _LONGEST_WAIT_S)
+                )
                 message, count = self._message, self._count
+            # What arrived while the process did not run is still unread.
+            end_s += suspension.turn()
+            if not is_over and time.monotonic() < end_s:
+                continue
             if count <= than or message is None:
                 return None, count
             sample = self._read(message)
