@@ -151,6 +151,7 @@ class CommandServerNode:
                     self._stops.next_deadline_s(),
                     self._follow_ups.next_due_s(),
                     self._withdrawals.next_deadline_s(),
+                    self._replies.next_status_s(),
                 ),
             )
             self._excuse_suspension()

@@ -1,6 +1,7 @@
 """Publishes the one reply to each command, and the status."""
 
-from typing import List, Sequence
+import time
+from typing import List, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
@@ -9,6 +10,9 @@ from std_msgs.msg import Empty, String
 from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
 from roboframenet_ros.bounded_text import one_line
+
+# Stages pass a command on within milliseconds, and many nodes read the status: not each of them is told to all.
+_NOTE_DELAY_S = 0.05
 
 
 class Replies:
@@ -27,7 +31,8 @@ class Replies:
         self._untold: List[str] = []
         self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
         self._sentence = "Ready."
-        self._is_status_due = True
+        self._told_ids: Optional[Tuple[str, ...]] = None
+        self._status_due_s: Optional[float] = None
 
     def tell_start(self) -> None:
         """Tell that texts are heard from now on: the stop server replies to those that were said before."""
@@ -51,15 +56,23 @@ class Replies:
         self.publisher.publish(reply)
         self.last_reply = reply
         self.note(reply.sentence)
+        self._status_due_s = time.monotonic()
         return reply
 
     def note(self, sentence: str) -> None:
         """Set the sentence of the next status: what the robot is doing."""
         self._sentence = one_line(sentence)
-        self._is_status_due = True
+        if self._status_due_s is None:
+            self._status_due_s = time.monotonic() + _NOTE_DELAY_S
+
+    def next_status_s(self) -> Optional[float]:
+        """When a status is due, monotonic seconds; None for never."""
+        return self._status_due_s
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish which texts were taken, and the status if it has changed. Call it when the commands are saved.
+        """Publish which texts were taken, and the status if it is due. Call it when the commands are saved.
+
+        Which commands are open, and the last reply, are told at once: others decide by them what "Cancel it." means.
 
         Args:
             open_commands: oldest first
@@ -67,9 +80,11 @@ class Replies:
         untold, self._untold = self._untold, []
         for text in untold:
             self._taken.publish(String(data=text))
-        if not self._is_status_due:
+        open_ids = tuple(entry.command.command_id for entry in open_commands)
+        is_due = self._status_due_s is not None and time.monotonic() >= self._status_due_s
+        if open_ids == self._told_ids and not is_due:
             return
-        self._is_status_due = False
+        self._told_ids, self._status_due_s = open_ids, None
         self._status.publish(
             CommandStatus(
                 stamp=rospy.Time.now(),

@@ -345,6 +345,8 @@ class ExecutorNode:
             suspension=self._suspension,
         )
         self._runs[order.key.command_id] = run
+        # The run says itself what begins.
+        self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         run.start()
 
     def _report_progress(self) -> None:

@@ -58,6 +58,7 @@ class StepContext:
         patience: how long the command may go on
         suspension: whether this process has just been resumed
         begin: called with the frame of each step that starts; returns whether it may
+        on_sent: called with the frame of each goal when it was sent
         on_end: called with the frame, the number of its node in the plan, and the goal that has ended
     """
 
@@ -70,6 +71,7 @@ class StepContext:
     patience: Patience
     suspension: SuspensionWatch
     begin: Callable[[FilledFrame], bool]
+    on_sent: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
 
 
@@ -202,6 +204,7 @@ class ActionStep(smach.State):
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
+        self._context.on_sent(self._frame)
         try:
             return self._follow_sent(connection, sent, goal, inbox, uri)
         finally:

@@ -117,6 +117,7 @@ class CommandRun:
             patience=patience,
             suspension=suspension,
             begin=self._begin_step,
+            on_sent=lambda frame: on_note(f"The server {frame.server} begins the frame {frame.name}."),
             on_end=self._end_step,
         )
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
@@ -163,7 +164,6 @@ class CommandRun:
             if self._is_without_master:
                 return False
             self._steps[frame] = time.monotonic()
-        self._on_note(f"The server {frame.server} begins the frame {frame.name}.")
         return True
 
     def _end_step(self, frame: FilledFrame, number: int, goal: Goal) -> None:

@@ -10,6 +10,9 @@ from typing import List, Optional
 from roboframenet_ros.bounded_text import as_log_lines
 
 _FORMATTER = logging.Formatter()
+# Who logs is often about to pass something on, and the threads of a Python process run one at a time: what is less than
+# a warning is written this much later.
+_GATHER_S = 0.02
 
 
 class _LogLines(str):
@@ -67,6 +70,8 @@ class LogThread(logging.Handler):
     def _write_on(self) -> None:
         while True:
             record = self._records.get()
+            if record.levelno < logging.WARNING and self._records.empty():
+                time.sleep(_GATHER_S)
             try:
                 dropped, self._dropped = self._dropped, 0
                 if dropped:

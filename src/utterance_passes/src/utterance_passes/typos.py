@@ -177,7 +177,8 @@ def as_written(tree: DependencyTree, word: Word) -> str:
     """Return a word as the person wrote it if it had a wrong letter; empty for other words."""
     written = tree.text[word.start_character : word.end_character]
     form = word.form.lower()
-    is_typo = len(written) >= _SHORTEST and written.isalpha() and written.lower() != form and form.isalpha()
+    if len(written) < _SHORTEST or not written.isalpha() or written.lower() == form or not form.isalpha():
+        return ""
     is_cut_off = len(written) > _SHORTEST and form.startswith(written.lower())
-    is_near = form in _near(written.lower()) or is_cut_off
-    return written if is_typo and is_near and not parts_of_speech(written) else ""
+    is_near = is_cut_off or form in _near(written.lower())
+    return written if is_near and not parts_of_speech(written) else ""
