@@ -162,12 +162,8 @@ class CommandServerNode:
                 try:
                     self._handle(event)
                 except Exception as error:  # boundary: one event must not keep the others from being handled
-                    rospy.logerr(
-                        "command_server could not handle a %s: %s: %s",
-                        type(event).__name__,
-                        type(error).__name__,
-                        error,
-                    )
+                    kind, fault = type(event).__name__, type(error).__name__
+                    rospy.logerr("command_server could not handle a %s: %s: %s", kind, fault, error)
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
