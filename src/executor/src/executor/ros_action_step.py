@@ -195,8 +195,11 @@ class ActionStep(smach.State):
         of_each = self._context.deadlines
         longest_s = self._context.profiles.longest_goal_s(self._frame, of_each.execution_s)
         deadlines = self._context.patience.deadlines(replace(of_each, execution_s=longest_s))
-        goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         uri = connection.node_uri()
+        if not uri:
+            # Whoever is connected next is another process, and does not know the goal.
+            return tracking.fail_unsent(self._frame.server, deadlines, "has died", now_s=time.monotonic())
+        goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
             header_text=header_text(self._frame),
@@ -220,14 +223,13 @@ class ActionStep(smach.State):
             sent: the goal
             goal: its state
             inbox: of news
-            uri: address of the process that got it, empty if it is not known yet
+            uri: address of the process that got it
         """
         asked_s = float("-inf")
         suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         while True:
             goal = tracking.postpone(goal, suspension.turn())
             connected_uri = connection.node_uri()
-            uri = uri or connected_uri
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())
             step = tracking.tick(goal, now_s=time.monotonic())

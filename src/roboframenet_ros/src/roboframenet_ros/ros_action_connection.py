@@ -118,7 +118,10 @@ class ActionConnection:
         return self._client.feedback_stamp
 
     def is_ready(self) -> bool:
-        """Whether the server has published its status and is connected both ways; returns at once."""
+        """Whether the server has published its status and is connected both ways; returns at once.
+
+        When its process dies, rospy notices it in one connection after the other: none of them may be missing.
+        """
         status = self._client.last_status_msg
         if status is None:
             return False
@@ -128,6 +131,7 @@ class ActionConnection:
             and self._client.pub_cancel.impl.has_connection(server_node)
             and self._hears(self._client.result_sub, server_node)
             and self._hears(self._client.feedback_sub, server_node)
+            and bool(self.node_uri())
         )
 
     def node_uri(self) -> str:
