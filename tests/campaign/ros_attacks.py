@@ -60,12 +60,12 @@ class OddUtterances(OnRobot):
         """Say one; at the end of the trial every node still runs."""
         self.robot.forget()
         text = odd_text(self._examples, chance)
-        since_s = self.robot.say(text)
+        since_s = asked_s = self.robot.say(text)
         # What arrives may differ from what was said: characters that are no text are replaced on the way.
         is_answered = comes_true(lambda: bool(self.robot.replies(since_s)), _REPLY_S)
         if not is_answered:
             # "Follow me" goes on until somebody ends it; then it has a reply, beside that of the stop.
-            self.robot.say("Stop.")
+            asked_s = self.robot.say("Stop.")
             is_answered = comes_true(lambda: len(self.robot.replies(since_s)) > 1, _REPLY_S)
         time.sleep(0.05)
         dead = sum(self._pids.get(node) != pid for node, pid in self.robot.pids().items()) if number % 20 == 19 else 0
@@ -78,7 +78,7 @@ class OddUtterances(OnRobot):
             "broken": sum(reply.code == "STAGE_ERROR" for _, reply in replies),
             "silent": sum(reply.code == "STAGE_SILENT" for _, reply in replies),
             "deaths": dead,
-            "answer_s": replies[0][0] - since_s if replies else None,
+            "answer_s": replies[0][0] - asked_s if replies else None,
         }
 
     def figures(self, trials: Sequence[Trial]) -> List[Figure]:
