@@ -1,6 +1,7 @@
 """The client of one action server of any type."""
 
 import threading
+import time
 import weakref
 from typing import Any, Callable, List, MutableMapping, NamedTuple, Tuple
 
@@ -10,10 +11,13 @@ import rospy
 from actionlib.action_client import CommStateMachine, GoalManager
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
-from roboframenet_ros.ros_master import is_process_gone
+from roboframenet_ros.ros_master import NO_ANSWER, is_process_gone, listeners_of
 
 #: How long a process may take to say that it lives, seconds.
 _LIFE_TIMEOUT_S = 1.0
+#: A server that does not say to whom it is connected is believed to be connected after this time, seconds.
+_LINK_TIMEOUT_S = 1.0
+_LINK_LOOK_S = 0.01
 
 
 class SentGoal:
@@ -102,6 +106,8 @@ class ActionConnection:
         self.server = server
         self._client = _Client(server, action_type)
         self._listeners: List[Callable[[], None]] = []
+        # Addresses of the process that has said that it is connected, and of the one that is asked.
+        self._linked_uri = self._asked_uri = ""
         self._sending = threading.Lock()
         self._status = rospy.Subscriber(
             rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
@@ -131,8 +137,32 @@ class ActionConnection:
             and self._client.pub_cancel.impl.has_connection(server_node)
             and self._hears(self._client.result_sub, server_node)
             and self._hears(self._client.feedback_sub, server_node)
-            and bool(self.node_uri())
+            and self._is_linked(self.node_uri())
         )
+
+    def _is_linked(self, uri: str) -> bool:
+        """Whether the server has said that it is connected; it is asked in a thread.
+
+        The result of a short goal would be lost if the server published it before it knew of the connection.
+        """
+        if uri not in ("", self._asked_uri):
+            self._asked_uri = uri
+            threading.Thread(target=self._ask_links, args=(uri,), name="ask_links", daemon=True).start()
+        return bool(uri) and uri == self._linked_uri
+
+    def _ask_links(self, uri: str) -> None:
+        topics = (self._client.result_sub.resolved_name, self._client.feedback_sub.resolved_name)
+        wanted = {(topic, rospy.get_name()) for topic in topics}
+        end_s = time.monotonic() + _LINK_TIMEOUT_S
+        while time.monotonic() < end_s:
+            try:
+                if wanted <= listeners_of(uri, timeout_s=_LIFE_TIMEOUT_S):
+                    break
+            except (*NO_ANSWER, IndexError, TypeError) as error:
+                rospy.logdebug("%s does not say who hears it: %s", self.server, error)
+            time.sleep(_LINK_LOOK_S)
+        if uri == self._asked_uri:
+            self._linked_uri = uri
 
     def node_uri(self) -> str:
         """Return the XML-RPC address of the server's node; empty when it is not connected."""

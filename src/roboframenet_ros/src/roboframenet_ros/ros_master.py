@@ -3,7 +3,7 @@
 import http.client
 import xmlrpc.client
 from dataclasses import dataclass
-from typing import FrozenSet, Mapping, Optional, Tuple, Type
+from typing import Any, FrozenSet, Mapping, Optional, Tuple, Type
 from xml.parsers.expat import ExpatError
 
 import rosgraph
@@ -106,3 +106,19 @@ def is_process_gone(uri: str, *, timeout_s: float) -> bool:
     except NO_ANSWER:
         return False
     return False
+
+
+def listeners_of(uri: str, *, timeout_s: float) -> FrozenSet[Tuple[str, str]]:
+    """Return who hears what a node publishes: names of topics, and of the nodes that it sends their messages to.
+
+    A subscriber counts a connection a little earlier than the publisher, which sends it nothing until then.
+
+    Args:
+        uri: XML-RPC address of the node
+        timeout_s: how long the node may take to answer
+
+    Raises:
+        NO_ANSWER: it does not answer, or not as ROS demands
+    """
+    answer: Any = xmlrpc.client.ServerProxy(uri, transport=TimedTransport(timeout_s)).getBusInfo(rospy.get_name())
+    return frozenset((str(link[4]), str(link[1])) for link in answer[2] if link[2] == "o" and link[5])

@@ -1,37 +1,61 @@
 """When an action server counts as connected."""
 
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from roboframenet_ros import ros_action_connection
 from roboframenet_ros.ros_action_connection import ActionConnection
+from roboframenet_testing import comes_true, wait_until
+
+URI = "http://127.0.0.1:45949/"
+LINKS = {(f"/pinging/{topic}", "/unnamed") for topic in ("status", "result", "feedback")}
 
 
 def connected(*, status_socket: object, hears_result: bool = True) -> ActionConnection:
-    """A connection whose server is connected in all other ways."""
-    link = SimpleNamespace(callerid_pub="/ping", socket=status_socket, endpoint_id="http://127.0.0.1:45949/")
+    """A connection whose server is connected in all other ways, as far as this side can see."""
+    link = SimpleNamespace(callerid_pub="/ping", socket=status_socket, endpoint_id=URI)
+
+    def subscriber(topic: str, *links: object) -> Any:
+        return SimpleNamespace(resolved_name=f"/pinging/{topic}", impl=SimpleNamespace(connections=list(links)))
+
     publisher = SimpleNamespace(impl=SimpleNamespace(has_connection=lambda node: node == "/ping"))
-    subscriber = SimpleNamespace(impl=SimpleNamespace(connections=[link]))
-    deaf = SimpleNamespace(impl=SimpleNamespace(connections=[]))
-    connection = ActionConnection.__new__(ActionConnection)
-    connection._status = subscriber  # type: ignore[assignment]
-    connection._client = SimpleNamespace(  # type: ignore[assignment]
+    connection: Any = ActionConnection.__new__(ActionConnection)
+    connection.server = "pinging"
+    connection._linked_uri = connection._asked_uri = ""
+    connection._status = subscriber("status", link)
+    connection._client = SimpleNamespace(
         last_status_msg=SimpleNamespace(_connection_header={"callerid": "/ping"}),
         pub_goal=publisher,
         pub_cancel=publisher,
-        result_sub=subscriber if hears_result else deaf,
-        feedback_sub=subscriber,
+        result_sub=subscriber("result", *[link] * hears_result),
+        feedback_sub=subscriber("feedback", link),
     )
-    return connection
+    return connection  # type: ignore[no-any-return]
 
 
-def test_server_is_ready_when_all_is_connected() -> None:
+def test_server_is_ready_when_it_has_said_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its result would be lost before."""
+    links = {link for link in LINKS if "result" not in link[0]}
+    monkeypatch.setattr(ros_action_connection, "listeners_of", lambda uri, timeout_s: links)
     connection = connected(status_socket=object())
-    assert connection.is_ready()
-    assert connection.node_uri() == "http://127.0.0.1:45949/"
+    assert not comes_true(connection.is_ready, 0.3)
+    links |= LINKS
+    wait_until(connection.is_ready)
+    assert connection.node_uri() == URI
+
+
+def test_server_that_says_nothing_is_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(uri: str, timeout_s: float) -> None:
+        raise ConnectionResetError(uri)
+
+    monkeypatch.setattr(ros_action_connection, "listeners_of", refuse)
+    wait_until(connected(status_socket=object()).is_ready)
 
 
 @pytest.mark.parametrize("gone", [{"status_socket": None}, {"status_socket": object(), "hears_result": False}])
-def test_server_that_is_dying_is_not_ready(gone: dict) -> None:
+def test_server_that_is_dying_is_not_ready(gone: dict, monkeypatch: pytest.MonkeyPatch) -> None:
     """A goal that is sent then would be expected of the process that takes its place."""
-    assert not connected(**gone).is_ready()
+    monkeypatch.setattr(ros_action_connection, "listeners_of", lambda uri, timeout_s: LINKS)
+    assert not comes_true(connected(**gone).is_ready, 0.3)
