@@ -2,6 +2,8 @@
 """Cries such as "Whoa!" stop a robot that drives: odometry shows that it stands, and the reply says what it stopped."""
 
 import math
+import os
+import signal
 import threading
 import time
 import unittest
@@ -15,6 +17,7 @@ from std_msgs.msg import String
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_processes import process_of
 
 DRIVE = "Move forward 15 metres."
 CRIES = (
@@ -246,13 +249,23 @@ class CriesTest(unittest.TestCase):
 
     def test_forget_that_takes_back_the_order_that_was_given(self) -> None:
         order = "Whenever I say banana, turn left 5 degrees."
-        given = self.say(order)
-        self.assertEqual((given.outcome, given.stage), (Reply.DONE, "standing_orders"), given.sentence)
-        # A person needs longer to answer than the stop server to hear of the order; this test would not.
-        time.sleep(1.0)
-        self.assertEqual(self.say("Forget that.").sentence, f'I forget "{order[:-1]}".')
-        # Other tests in the same graph give orders, too.
-        self.assertNotIn("banana", self.say("What are you waiting for?").sentence)
+        stop_server = process_of("stop_server")
+        for is_held_up in (False, True, True, True):
+            given = self.say(order)
+            self.assertEqual((given.outcome, given.stage), (Reply.DONE, "standing_orders"), given.sentence)
+            # A person needs longer to answer than the stop server to hear of the order; this test would not.
+            time.sleep(1.0)
+            since = len(self.replies)
+            if is_held_up:
+                os.kill(stop_server, signal.SIGSTOP)
+            try:
+                self.assertEqual(self.say("Forget that.").sentence, f'I forget "{order[:-1]}".')
+            finally:
+                os.kill(stop_server, signal.SIGCONT)
+            # Other tests in the same graph give orders, too.
+            self.assertNotIn("banana", self.say("What are you waiting for?").sentence)
+            time.sleep(0.5)
+            self.assertEqual(len(self.replies_to("Forget that.", since)), 1)
         # At any other time it is a cry.
         self.assertEqual(self.say("Forget that!").stage, "stop_server")
 

@@ -5,7 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, List, Optional
 
 from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
-from command_server.spoken_words import plain_text, tokens_of
+from command_server.spoken_words import words_of
+
+#: Behind the id of a stop, it makes that of the command after it.
+_SUFFIX = "-then"
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,7 @@ class FollowUps:
             the command, with an id of its own and a stamp after the stop
         """
         stamp_ns = stamp_after(stop.stamp_ns, stop_stamp_ns) + 1
-        command = CommandText(command_id=f"{stop.command_id}-then", stamp_ns=stamp_ns, text=text)
+        command = CommandText(command_id=f"{stop.command_id}{_SUFFIX}", stamp_ns=stamp_ns, text=text)
         self._waiting[command.command_id] = _FollowUp(command, stop)
         return command
 
@@ -51,11 +54,11 @@ class FollowUps:
 
         A robot of a fleet hears "Everybody, stop and come back" twice: with all others, and the part that is for it.
         """
-        said = _words(stop_text)
+        said = words_of(stop_text)
         spared = {
             command_id: waiting
             for command_id, waiting in self._waiting.items()
-            if f" {_words(waiting.stop.text)} " in f" {said} "
+            if f" {words_of(waiting.stop.text)} " in f" {said} "
         }
         for command_id, waiting in spared.items():
             stamp_ns = stamp_after(waiting.command.stamp_ns, stop_stamp_ns)
@@ -112,5 +115,6 @@ class FollowUps:
         return min((waiting.begin_s for waiting in self._waiting.values() if waiting.begin_s is not None), default=None)
 
 
-def _words(text: str) -> str:
-    return " ".join(token.word for token in tokens_of(plain_text(text)[1]) if token.word[:1].isalnum())
+def is_follow_up(command_id: str) -> bool:
+    """Whether a command was said behind a stop."""
+    return command_id.endswith(_SUFFIX)

@@ -1,7 +1,7 @@
 """Which cries take standing orders back: "forget that", right after an order, and "forget everything".
 
-The first is no cry then. The stop server and the command server decide this by the same latched status: both take it
-for a cry, or none does.
+The first is no cry then. The command server decides it, and the stop server by what the command server tells: both
+take it for a cry, or none does.
 """
 
 from command_server.command_behind import command_behind
@@ -34,8 +34,11 @@ def takes_order_back(text: str, *, is_free: bool, stage: str, outcome: int, age_
         age_s: of the last reply, seconds
     """
     is_given = stage == ORDERS_STAGE and outcome == Outcome.DONE and 0.0 <= age_s <= _FRESH_S
-    if not (is_given and is_free):
-        return False
+    return is_given and is_free and may_take_order_back(text)
+
+
+def may_take_order_back(text: str) -> bool:
+    """Whether an utterance takes an order back if one was given right before; otherwise it is a cry."""
     cry = find_cry(text)
     if cry is None or cry.kind not in (Kind.TAKE_BACK, Kind.FORGET):
         return False

@@ -105,3 +105,8 @@ def tokens_of(plain: str) -> List[Token]:
             found.append(Token(said, start, end))
         before_last, last = last, found[-1].word
     return found
+
+
+def words_of(text: str) -> str:
+    """Return the words of a text in lower case with one space between them, without marks."""
+    return " ".join(token.word for token in tokens_of(plain_text(text)[1]) if token.word[:1].isalnum())

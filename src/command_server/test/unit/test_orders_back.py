@@ -1,9 +1,14 @@
 """Right after a standing order was given, "forget that" means the order. At any other time it stops the robot."""
 
+import copy
+
 import pytest
+import rospy
+from roboframenet_msgs.msg import Command, CommandStatus, Reply
 
 from command_server.open_commands import Outcome
 from command_server.orders_back import FORGET_ALL, order_words, said_behind, takes_order_back
+from command_server.ros_orders_back import is_taken_back
 from command_server.stop_words import find_cry
 
 GIVEN = {"is_free": True, "stage": "standing_orders", "outcome": Outcome.DONE, "age_s": 2.0}
@@ -79,3 +84,54 @@ def test_a_command_behind_a_cry_comes_first():
 
 def test_what_is_done_behind_the_stop_is_no_stop():
     assert find_cry(FORGET_ALL) is None
+
+
+SAID = CommandStatus(active=[Command(id="text-1", text="Forget that.", stamp=rospy.Time(99))])
+ANSWERED = CommandStatus(last_reply=Reply(command=SAID.active[0], stage="question_answering", stamp=rospy.Time(99.5)))
+
+
+@pytest.fixture(autouse=True)
+def _now(monkeypatch):
+    monkeypatch.setattr(rospy.Time, "now", lambda: rospy.Time(100))
+
+
+@pytest.mark.parametrize("status", [SAID, ANSWERED], ids=["open", "answered"])
+@pytest.mark.parametrize("text", ["Forget that.", "forget that"])
+def test_who_hears_it_after_the_command_server_takes_it_for_no_cry(text, status):
+    assert is_taken_back(text, status)
+
+
+def _changed(status, **changes):
+    changed = copy.deepcopy(status)
+    for path, value in changes.items():
+        *owners, name = path.split("__")
+        target = changed
+        for owner in owners:
+            target = target[int(owner)] if owner.isdigit() else getattr(target, owner)
+        setattr(target, name, value)
+    return changed
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("Cancel that.", SAID),
+        ("Forget that.", _changed(SAID, active__0__stamp=rospy.Time(90))),
+        ("Forget that.", _changed(SAID, active__0__id="text-1-then")),
+        ("Forget that.", _changed(SAID, active=[*SAID.active, Command(id="text-2", text="Go home.")])),
+        ("Forget that.", _changed(ANSWERED, last_reply__stage="stop_server")),
+        ("Forget that.", _changed(ANSWERED, last_reply__stage="command_server")),
+        ("Forget that.", _changed(ANSWERED, last_reply__command__stamp=rospy.Time(90))),
+        ("Forget that.", _changed(ANSWERED, active=[Command(id="text-2", text="Go home.")])),
+        ("Stop.", _changed(SAID, active__0__text="Stop.")),
+        ("Stop.", _changed(ANSWERED, last_reply__command__text="Stop.")),
+    ],
+)
+def test_who_hears_it_alone_stops(text, status):
+    assert not is_taken_back(text, status)
+
+
+def test_order_that_was_just_given_is_taken_back():
+    given = CommandStatus(last_reply=Reply(stage="standing_orders", outcome=Reply.DONE, stamp=rospy.Time(98)))
+    assert is_taken_back("Forget that.", given)
+    assert not is_taken_back("Stop.", given)

@@ -1,5 +1,7 @@
 """Whom a cry on the shared topic stops, by the words alone; and whom the fleet passes it on to."""
 
+from typing import List
+
 import pytest
 
 from command_server.cries import COMMAND_VERBS, STRONG
@@ -74,3 +76,18 @@ def test_what_the_fleet_passes_on(text: str, orders: str) -> None:
     decided = address(text, COMPANY, Dialogue(), now_s=0.0)
     assert isinstance(decided, Addressed), decided
     assert "; ".join(f"{', '.join(one.robots)}: {one.text}" for one in decided.orders) == orders
+
+
+@pytest.mark.parametrize(
+    "said", ["Everybody, forget everything.", "Forget that, Alpha.", "Forget it.", "Alpha, forget it!"]
+)
+def test_cry_that_takes_back_an_order_stops_nobody(said: str) -> None:
+    assert stops(said, "alpha", COMPANY.names)
+    heard: List[str] = []
+
+    def is_taken_back(part: str) -> bool:
+        heard.append(part)
+        return True
+
+    assert not stops(said, "alpha", COMPANY.names, is_taken_back=is_taken_back)
+    assert all("alpha" not in part.lower() for part in heard)

@@ -21,7 +21,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Empty, String
 
-from command_server.ros_orders_back import takes_back
+from command_server.ros_orders_back import is_taken_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -131,8 +131,7 @@ class StopServerNode:
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
     def _hear(self, text: str, command_id: str) -> None:
-        status = self._status
-        if is_stop(text) and not takes_back(text, status.last_reply, is_free=not status.active):
+        if is_stop(text) and not is_taken_back(text, self._status):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
@@ -143,7 +142,7 @@ class StopServerNode:
 
     def _hear_shared(self, text: str) -> None:
         """Something was said to all robots: it may stop this one. Its reply is the business of others."""
-        if stops(text, self._robot, self._names):
+        if stops(text, self._robot, self._names, is_taken_back=lambda part: is_taken_back(part, self._status)):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), is_shared=True))
 
     def _hear_fleet(self, fleet: Fleet) -> None:
