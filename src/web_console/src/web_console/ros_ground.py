@@ -1,5 +1,6 @@
 """Hears where the robot is and what lies around it."""
 
+import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import rospy
@@ -18,6 +19,8 @@ _MOST_LANDMARKS = 300
 _POSE_AND_TWIST_BYTES = (7 + 36 + 6 + 36) * 8
 #: The pose of a PoseStamped: its end.
 _POSE_BYTES = 7 * 8
+#: After a frequent message its connection rests. What has come meanwhile is read at once, and the last of it is kept.
+_REST_S = 0.05
 
 
 class GroundTap:
@@ -95,9 +98,11 @@ class GroundTap:
 
     def _on_odometry(self, message: rospy.AnyMsg) -> None:
         self._last_odometry = message
+        time.sleep(_REST_S)
 
     def _on_person(self, message: rospy.AnyMsg) -> None:
         self._last_person = message
+        time.sleep(_REST_S)
 
     def look(self) -> None:
         """Show where the robot and the person are now."""
