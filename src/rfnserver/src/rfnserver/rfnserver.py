@@ -161,6 +161,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             )
         self._registration = Registration(name, check=check, profile=profile)
         super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
+        self.action_server.cancel_orphans()
 
     def start(self) -> None:
         """Take goals from now on."""

@@ -108,6 +108,7 @@ class ConditionServer(_Registering, QuietActionServer):
         self._is_asking = False
         self._registration = Registration(name, profile=stated_profile({**statement, "purpose": "watches"}))
         super().__init__(name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, False)
+        self.cancel_orphans()
 
     def register_with_frame(self, frame_name: str, **statement: Any) -> bool:  # type: ignore[override]
         """Watch a frame from now on.

@@ -188,6 +188,7 @@ class FrameAdapter:
                 self._server = QuietSimpleActionServer(
                     self._name + FRAME_SUFFIX, FilledSemanticFrameAction, execute_cb=self._execute, auto_start=False
                 )
+                self._server.action_server.cancel_orphans()
                 if self._is_started:
                     self._server.start()
         return self.registration.request(kind, subject)

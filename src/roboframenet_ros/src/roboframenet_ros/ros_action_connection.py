@@ -1,7 +1,6 @@
 """The client of one action server of any type."""
 
 import threading
-import time
 import weakref
 from typing import Any, Callable, List, MutableMapping, NamedTuple, Tuple
 
@@ -11,13 +10,11 @@ import rospy
 from actionlib.action_client import CommStateMachine, GoalManager
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
-from roboframenet_ros.ros_master import NO_ANSWER, is_process_gone, listeners_of
+from roboframenet_ros.ros_master import is_process_gone
+from roboframenet_ros.ros_server_links import ServerLinks, newest_link
 
 #: How long a process may take to say that it lives, seconds.
 _LIFE_TIMEOUT_S = 1.0
-#: A server that does not say to whom it is connected is believed to be connected after this time, seconds.
-_LINK_TIMEOUT_S = 1.0
-_LINK_LOOK_S = 0.01
 
 
 class SentGoal:
@@ -106,8 +103,10 @@ class ActionConnection:
         self.server = server
         self._client = _Client(server, action_type)
         self._listeners: List[Callable[[], None]] = []
-        # Addresses of the process that has said that it is connected, and of the one that is asked.
-        self._linked_uri = self._asked_uri = ""
+        self._links = ServerLinks(
+            publishers=(self._client.pub_goal, self._client.pub_cancel),
+            subscribers=(self._client.result_sub, self._client.feedback_sub),
+        )
         self._sending = threading.Lock()
         self._status = rospy.Subscriber(
             rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
@@ -124,53 +123,17 @@ class ActionConnection:
         return self._client.feedback_stamp
 
     def is_ready(self) -> bool:
-        """Whether the server has published its status and is connected both ways; returns at once.
-
-        When its process dies, rospy notices it in one connection after the other: none of them may be missing.
-        """
-        status = self._client.last_status_msg
-        if status is None:
-            return False
-        server_node = status._connection_header["callerid"]
-        return (
-            self._client.pub_goal.impl.has_connection(server_node)
-            and self._client.pub_cancel.impl.has_connection(server_node)
-            and self._hears(self._client.result_sub, server_node)
-            and self._hears(self._client.feedback_sub, server_node)
-            and self._is_linked(self.node_uri())
-        )
-
-    def _is_linked(self, uri: str) -> bool:
-        """Whether the server has said that it is connected; it is asked in a thread.
-
-        The result of a short goal would be lost if the server published it before it knew of the connection.
-        """
-        if uri not in ("", self._asked_uri):
-            self._asked_uri = uri
-            threading.Thread(target=self._ask_links, args=(uri,), name="ask_links", daemon=True).start()
-        return bool(uri) and uri == self._linked_uri
-
-    def _ask_links(self, uri: str) -> None:
-        topics = (self._client.result_sub.resolved_name, self._client.feedback_sub.resolved_name)
-        wanted = {(topic, rospy.get_name()) for topic in topics}
-        end_s = time.monotonic() + _LINK_TIMEOUT_S
-        while time.monotonic() < end_s:
-            try:
-                if wanted <= listeners_of(uri, timeout_s=_LIFE_TIMEOUT_S):
-                    break
-            except (*NO_ANSWER, IndexError, TypeError) as error:
-                rospy.logdebug("%s does not say who hears it: %s", self.server, error)
-            time.sleep(_LINK_LOOK_S)
-        if uri == self._asked_uri:
-            self._linked_uri = uri
+        """Whether the server has published its status and is connected both ways; returns at once."""
+        return self._links.are_complete(self._node(), self.node_uri())
 
     def node_uri(self) -> str:
         """Return the XML-RPC address of the server's node; empty when it is not connected."""
+        node = self._node()
+        return newest_link(self._status, node)[1] if node else ""
+
+    def _node(self) -> str:
         status = self._client.last_status_msg
-        node = "" if status is None else status._connection_header["callerid"]
-        # rospy keeps a connection that broke, without a socket, and tries it again; the newest one counts.
-        known = [one for one in list(self._status.impl.connections) if one.callerid_pub == node and one.socket]
-        return str(known[-1].endpoint_id) if known else ""
+        return "" if status is None else str(status._connection_header["callerid"])
 
     @staticmethod
     def ask_whether_gone(uri: str, on_gone: Callable[[], None]) -> None:
@@ -187,10 +150,6 @@ class ActionConnection:
 
         if uri:
             threading.Thread(target=ask, name="ask_life", daemon=True).start()
-
-    @staticmethod
-    def _hears(subscriber: rospy.Subscriber, server_node: str) -> bool:
-        return any(connection.callerid_pub == server_node for connection in subscriber.impl.connections)
 
     def listen(self, on_sign: Callable[[], None]) -> None:
         """Call `on_sign` for each status message from now on."""

@@ -9,6 +9,7 @@ import actionlib
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus
 
+from roboframenet_ros.orphaned_goals import OrphanWatch
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_publishing import is_shutting_down
 
@@ -26,6 +27,8 @@ _OVER = (
     GoalStatus.RECALLED,
     GoalStatus.LOST,
 )
+#: Goals in these states are cancelled when their client is gone.
+_CANCELLABLE = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 #: Changes of the status within this time are published in one message, seconds.
 STATUS_PAUSE_S = 0.02
 
@@ -55,6 +58,8 @@ class QuietActionServer(actionlib.ActionServer):
     that ``wait_for_server`` needs. The stock server wakes up five times a second for ever.
     """
 
+    #: Of a server whose goals end with their clients; None for actionlib's way, in which they go on.
+    _orphan_watch: Optional[OrphanWatch] = None
     #: The timer runs while there are goals; None otherwise.
     _goal_timer: Optional["_StatusTimer"] = None
     #: Publishes a change that came too soon after the last message; None when there is none.
@@ -71,6 +76,13 @@ class QuietActionServer(actionlib.ActionServer):
             self.status_timer.shutdown()
             self.status_timer = None
         rospy.on_shutdown(self._end_timer)
+
+    def cancel_orphans(self) -> None:
+        """From now on, cancel a goal when the process that sent it dies or leaves; see :class:`OrphanWatch`.
+
+        A robot whose commander is gone must not go on. Clients that only publish goals are left alone.
+        """
+        self._orphan_watch = OrphanWatch(self._is_listening)
 
     def publish_status(self) -> None:
         """Publish the status of all goals, now or shortly afterwards, and repeatedly while there are goals.
@@ -108,13 +120,18 @@ class QuietActionServer(actionlib.ActionServer):
 
     def publish_status_async(self, event: Optional[rospy.timer.TimerEvent]) -> None:
         """Publish from the timer."""
+        self._cancel_orphans()
         with self.lock:
             if self._goal_timer is not None:
                 super().publish_status_async(event)
 
-    def internal_goal_callback(self, goal: object) -> None:
+    def internal_goal_callback(self, goal: Any) -> None:
         """Take a goal; its status is published when it changes, and by the timer."""
         self.follow_clock()
+        if self._orphan_watch is not None:
+            with self.lock:
+                client = (getattr(goal, "_connection_header", None) or {}).get("callerid", "")
+                self._orphan_watch.note(goal.goal_id.id, client)
         super().internal_goal_callback(goal)
         with self.lock:
             if self.started and self.status_list:
@@ -153,6 +170,21 @@ class QuietActionServer(actionlib.ActionServer):
                 if end is not None:
                     end.unregister()
             self.status_pub = None
+
+    def _is_listening(self, client: str) -> bool:
+        # Without this call, rospy notices that a process has died only when it writes to it.
+        self.status_pub.impl.check()
+        return bool(self.status_pub.impl.has_connection(client))
+
+    def _cancel_orphans(self) -> None:
+        with self.lock:
+            if self._orphan_watch is None or self.status_pub is None or is_shutting_down():
+                return
+            states = [(tracker.status.goal_id.id, tracker.status.status) for tracker in self.status_list]
+            orphans = self._orphan_watch.orphans([goal_id for goal_id, state in states if state in _CANCELLABLE])
+        for goal_id in orphans:
+            rospy.logwarn("%s: who sent the goal %s is gone; it is cancelled", self.ns, goal_id)
+            self.internal_cancel_callback(GoalID(id=goal_id))
 
     def _begin_timer(self) -> None:
         if self._goal_timer is None and self.status_frequency > 0.0:

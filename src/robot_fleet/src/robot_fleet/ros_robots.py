@@ -15,6 +15,7 @@ from roboframenet_msgs.msg import (
 )
 
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
+from roboframenet_ros.ros_server_links import ServerLinks, newest_link
 
 #: Called with the id of a command and its reply.
 OnReply = Callable[[str, Reply], None]
@@ -40,6 +41,11 @@ class _Link:
             lambda message: on_begun(message.status.goal_id.id),
             queue_size=100,
         )
+        self._links = ServerLinks(publishers=(self.goal, self.cancel), subscribers=(self.result, self.feedback))
+
+    def is_ready(self) -> bool:
+        """Whether the command server of the robot is connected; its stop server hears the goals, too."""
+        return self._links.are_complete(*newest_link(self.result))
 
 
 class RobotLinks:
@@ -64,7 +70,7 @@ class RobotLinks:
     def send(self, robot: str, text: str, *, command_id: str) -> bool:
         """Send a command; returns False if the robot is not connected yet."""
         link = self._links.get(robot)
-        if link is None or not link.goal.get_num_connections() or not link.result.get_num_connections():
+        if link is None or not link.is_ready():
             return False
         now = rospy.Time.now()
         message = ExecuteCommandActionGoal(goal=ExecuteCommandGoal(text=text))

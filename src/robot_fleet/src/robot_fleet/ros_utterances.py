@@ -120,13 +120,17 @@ class Utterances:
                 self._answer_for(sent_id, "It is gone; I do not know how far it came.")
 
     def end_undelivered(self, gone: Collection[str]) -> None:
-        """Answer what robots that are gone did not begin in time: when the network delivers it later, it is refused."""
+        """Answer what robots did not begin in time: when the network delivers it later, it is refused.
+
+        A robot that is there is given the time twice: it may be slow, and what it tells may be unread.
+        """
         now_s = time.monotonic()
         for sent_id, until_s in list(self._may_begin_s.items()):
             _, sending = self._sent[sent_id]
-            if now_s >= until_s and sending.robot in gone:
+            is_gone = sending.robot in gone
+            if now_s >= until_s + (0.0 if is_gone else self._settings.delivery_timeout_s):
                 self._links.cancel(sending.robot, command_id=sent_id)
-                self._answer_for(sent_id, "It was gone before it began.")
+                self._answer_for(sent_id, "It was gone before it began." if is_gone else "It did not take that.")
 
     def _answer_for(self, sent_id: str, sentence: str) -> None:
         """Answer in the place of a robot that is gone."""

@@ -16,8 +16,8 @@ class FleetSettings(Parameters):
         dialogue_timeout_s: how long the robot that was last spoken to is meant
         answer_timeout_s: how long the answer to "Who should do that?" is waited for
         connection_timeout_s: how long a robot may take to be connected before it counts as gone
-        delivery_timeout_s: what a robot that is gone has not begun after this time is answered as lost; longer than
-            `longest_delay_s` of the robots, which refuse what reaches them later
+        delivery_timeout_s: what a robot that is gone has not begun after this time is answered as lost, and after twice
+            the time if it is there; longer than `longest_delay_s` of the robots, which refuse what reaches them later
 
     Raises:
         ParameterError: a value out of its range
