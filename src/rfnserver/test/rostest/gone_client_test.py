@@ -41,7 +41,7 @@ class GoneClientTest(unittest.TestCase):
                     status = server.action_server.status_pub
                     wait_until(lambda: status.get_num_connections() == 1)
                 # The server looks five times a second who listens.
-                self.assertFalse(self.is_cancelled.wait(0.5))
+                self.assertFalse(self.is_cancelled.wait(1.0))
             finally:
                 client.send_signal(signal.SIGKILL)
 
