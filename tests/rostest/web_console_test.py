@@ -68,6 +68,8 @@ class WebConsoleTest(unittest.TestCase):
         return list(self.page.run(f"{boxes}.map((one) => one.dataset.frame + ' ' + one.dataset.state)"))
 
     def test_1_command_is_shown_from_its_parse_to_its_reply(self) -> None:
+        # The page asks for the odometry when the first browser opens it.
+        wait_until(lambda: "heading" in self.page.pose(), message="no robot is shown")
         heading = self.page.pose()["heading"]
         self.page.say("Turn left 120 degrees.")
         wait_until(lambda: self.steps() == ["turning active"], message=self.steps)
