@@ -20,6 +20,7 @@ from arbitrator.ros_messages import plan_from_message, plan_to_message
 from arbitrator.state_machine import plan_label
 from executor import command_queue
 from executor.command_queue import Beginning, Cause, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
+from executor.commander_watch import CommanderWatch
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
@@ -44,11 +45,14 @@ from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
 
 # The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
+#: How often it looks, while commands are carried out, whether their commander is there.
+_BUSY_PERIOD_S = 0.2
 _HIDDEN = Introspection(is_enabled=False)
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
@@ -184,6 +188,9 @@ class ExecutorNode:
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
+        self._commander = CommanderWatch()
+        # Only the command server publishes it.
+        self._cancels = rospy.Subscriber("command_cancel", Command, self._inbox.put)
 
     def start(self) -> None:
         """Start to take commands."""
@@ -195,7 +202,7 @@ class ExecutorNode:
         self._master.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
-            rospy.Subscriber("command_cancel", Command, self._inbox.put),
+            self._cancels,
             rospy.Subscriber("command_plan", CommandPlan, self._inbox.put),
         ]
 
@@ -216,9 +223,10 @@ class ExecutorNode:
         while True:
             try:
                 is_idle = not (self._commands.running or self._commands.waiting)
-                event = self._inbox.get(timeout=_EVENT_PERIOD_S if is_idle else _EVENT_PERIOD_S / 2.0)
+                event = self._inbox.get(timeout=_EVENT_PERIOD_S if is_idle else _BUSY_PERIOD_S)
             except queue.Empty:
                 self._suspension.turn()
+                self._cancel_without_commander()
                 self._report_progress()
                 continue
             if event is None:
@@ -231,7 +239,18 @@ class ExecutorNode:
                 rospy.logerr(
                     "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
                 )
+            self._cancel_without_commander()
             self._report_progress()
+
+    def _cancel_without_commander(self) -> None:
+        """Cancel everything when the command server is gone; one that is started again would only do the same."""
+        if rospy.is_shutdown() or not self._commander.is_lost(newest_link(self._cancels) != ("", "")):
+            return
+        orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
+        if orders:
+            rospy.logwarn("who gave the commands is gone; they are cancelled")
+        for order in orders:
+            self._follow(command_queue.cancel(self._commands, order.key.command_id))
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):
