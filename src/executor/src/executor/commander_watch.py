@@ -4,7 +4,7 @@ import time
 from typing import Callable, Optional
 
 #: A connection that breaks may come back; what is gone for longer has died, seconds.
-_PATIENCE_S = 0.3
+_PATIENCE_S = 0.2
 
 
 class CommanderWatch:

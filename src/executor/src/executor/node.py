@@ -12,6 +12,7 @@ from typing import Dict, FrozenSet, Optional, Set, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport, TriedFrame
+from std_msgs.msg import Empty
 
 import smach
 from arbitrator.plan import Do, Plan, walk
@@ -52,7 +53,7 @@ from roboframenet_ros.suspension import SuspensionWatch
 # The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
 #: How often it looks, while commands are carried out, whether their commander is there.
-_BUSY_PERIOD_S = 0.2
+_BUSY_PERIOD_S = 0.1
 _HIDDEN = Introspection(is_enabled=False)
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
@@ -159,8 +160,8 @@ _Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, 
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``. Publishes: ``stage_events``,
-    ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``, ``command_server_started``.
+    Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
     def __init__(self, settings: Settings, *, private: str = "~") -> None:
@@ -189,8 +190,8 @@ class ExecutorNode:
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
         self._commander = CommanderWatch()
-        # Only the command server publishes it.
-        self._cancels = rospy.Subscriber("command_cancel", Command, self._inbox.put)
+        # Of all that the command server publishes, this tells the least; nobody else publishes it.
+        self._sign_of_commander = rospy.Subscriber("command_server_started", Empty, lambda _: None)
 
     def start(self) -> None:
         """Start to take commands."""
@@ -202,7 +203,7 @@ class ExecutorNode:
         self._master.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
-            self._cancels,
+            rospy.Subscriber("command_cancel", Command, self._inbox.put),
             rospy.Subscriber("command_plan", CommandPlan, self._inbox.put),
         ]
 
@@ -244,7 +245,7 @@ class ExecutorNode:
 
     def _cancel_without_commander(self) -> None:
         """Cancel everything when the command server is gone; one that is started again would only do the same."""
-        if rospy.is_shutdown() or not self._commander.is_lost(newest_link(self._cancels) != ("", "")):
+        if rospy.is_shutdown() or not self._commander.is_lost(newest_link(self._sign_of_commander) != ("", "")):
             return
         orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
         if orders:

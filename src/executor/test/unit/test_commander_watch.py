@@ -34,7 +34,7 @@ def test_who_dies_is_lost_once(watch, clock):
 def test_who_is_back_at_once_is_not_lost(watch, clock):
     assert not watch.is_lost(True)
     assert not watch.is_lost(False)
-    clock.now_s += 0.2
+    clock.now_s += 0.1
     assert not watch.is_lost(True)
     clock.now_s += 10.0
     assert not watch.is_lost(False)
