@@ -120,7 +120,7 @@ class QuietActionServer(actionlib.ActionServer):
 
     def publish_status_async(self, event: Optional[rospy.timer.TimerEvent]) -> None:
         """Publish from the timer."""
-        self._cancel_orphans()
+        self._look_for_orphans()
         with self.lock:
             if self._goal_timer is not None:
                 super().publish_status_async(event)
@@ -176,7 +176,7 @@ class QuietActionServer(actionlib.ActionServer):
         self.status_pub.impl.check()
         return bool(self.status_pub.impl.has_connection(client))
 
-    def _cancel_orphans(self) -> None:
+    def _look_for_orphans(self) -> None:
         with self.lock:
             if self._orphan_watch is None or self.status_pub is None or is_shutting_down():
                 return
