@@ -89,7 +89,6 @@ class ArbitratorNode:
             )
             return
         sentence = describe(plan)
-        rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         topic = self._standing_order if isinstance(plan, STANDING) else self._command_plan
         is_heard = self._wait_for_listener(topic)
         if topic is self._standing_order and not is_heard:
@@ -100,11 +99,12 @@ class ArbitratorNode:
                 sentence="I can only act at once: nobody keeps standing orders (standing_orders is not running).",
             )
             return
-        # The event goes first: from it on, the command server takes it that the robot may move.
-        self._stage.passes_on(message.command, sentence, trace="\n".join(trace))
         ordered = plan_to_message(plan)
         ordered.beginning = message.plan.beginning
+        # The next stage works while the others are told.
         topic.publish(CommandPlan(command=message.command, plan=ordered))
+        self._stage.passes_on(message.command, sentence, trace="\n".join(trace))
+        rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         procedure = procedure_to_message(plan)
         if procedure is not None:
             self._procedure.publish(procedure)

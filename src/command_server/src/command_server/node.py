@@ -303,8 +303,8 @@ class CommandServerNode:
             return
         self._cancels.cancel(entry.command)
         self._stopped_plans.going_on.hear_cancelled(command_id)
-        if entry.may_have_started:
-            # The executor ends it when the robot has stopped; its deadline still holds.
+        if entry.may_be_planned:
+            # The executor ends it, when the robot has stopped if it had begun; its deadline still holds.
             return
         self._conclude(ending_of_cancelled(entry.command))
 

@@ -102,6 +102,11 @@ class OpenCommand:
         """Whether the executor may have sent goals for it."""
         return self.awaited_stage == EXECUTOR_STAGE
 
+    @property
+    def may_be_planned(self) -> bool:
+        """Whether the executor may have its plan, or get it soon: the arbitrator tells of a plan when it has sent it."""
+        return self.awaited_stage in STAGES[-2:]
+
     def ending(self, verdict: Verdict, remark: str) -> Ending:
         """Return its ending with a verdict; `remark` is a sentence that follows it, empty for none."""
         return Ending(

@@ -76,6 +76,16 @@ def test_the_silent_stage_is_named(commands, clock, passed, silent):
     assert commands.finish_condemned("a") is None
 
 
+def test_the_executor_may_have_the_plan_before_the_arbitrator_tells_of_it(commands):
+    commands.open(make_command("a"))
+    planned = []
+    for stage in STAGES[:-1]:
+        planned.append(commands.get("a").may_be_planned)
+        commands.progress("a", stage)
+    assert planned == [False, False, False, True]
+    assert commands.get("a").may_be_planned
+
+
 def test_condemned_command_does_not_come_back_to_life(commands, clock):
     commands.open(make_command("a"))
     clock.now_s += 2.0

@@ -346,7 +346,6 @@ class ExecutorNode:
             self._stopped.publish(StoppedPlan(command=command, plan=plan_to_message(rest.plan), said=rest.said))
 
     def _start_run(self, order: "Order[_Job]") -> None:
-        rospy.loginfo("cmd=%s starts", order.key.command_id)
         run = CommandRun(
             order.job.plan,
             clients=self._clients,
@@ -368,6 +367,7 @@ class ExecutorNode:
         # The run says itself what begins.
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         run.start()
+        rospy.loginfo("cmd=%s starts", order.key.command_id)
 
     def _report_progress(self) -> None:
         if time.monotonic() < self._next_event_s:

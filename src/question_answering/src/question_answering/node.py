@@ -13,7 +13,6 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameResult,
     FrameCatalogue,
     FrameServers,
-    StageEvent,
     WorldUpdate,
 )
 from roboframenet_msgs.msg import (
@@ -63,8 +62,8 @@ class QuestionAnswering:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
     Subscribes:
         world (World), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), lexicon (Lexicon),
-        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan), speaker (std_msgs/String),
-        and those of :class:`.ros_history.History`
+        status (CommandStatus), command_question (CommandPlan), speaker (std_msgs/String), and those of
+        :class:`.ros_history.History`
     Publishes:
         stage_events (StageEvent), speaker (std_msgs/String, latched), world_updates (WorldUpdate)
     Parameters: see :class:`Settings`.
@@ -95,7 +94,6 @@ class QuestionAnswering:
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
-            rospy.Subscriber("stage_events", StageEvent, self._on_event, queue_size=100),
         ]
         self._server = RFNServer("question_answering", self._on_question)
         for name in ANSWERS:
@@ -131,14 +129,12 @@ class QuestionAnswering:
             self._units = tuple(unit for units in contents for unit in units)
 
     def _on_status(self, message: CommandStatus) -> None:
-        with self._lock:
-            self._status = message
-
-    def _on_event(self, event: StageEvent) -> None:
         # Not command_text: command_server takes whoever listens to that for the parser.
         with self._lock:
-            if not self._said or event.command.stamp > self._said[-1].stamp:
-                self._said.append(event.command)
+            self._status = message
+            for command in message.active:
+                if not self._said or command.stamp > self._said[-1].stamp:
+                    self._said.append(command)
 
     def _on_question(self, frame: TypedFrame) -> None:
         known = self._known()
