@@ -104,7 +104,7 @@ class OpenCommand:
 
     @property
     def may_be_planned(self) -> bool:
-        """Whether the executor may have its plan, or get it soon: the arbitrator tells of a plan when it has sent it."""
+        """Whether the executor may have its plan or get it soon: the arbitrator sends a plan before it tells of it."""
         return self.awaited_stage in STAGES[-2:]
 
     def ending(self, verdict: Verdict, remark: str) -> Ending:
