@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import AbstractSet, FrozenSet, Iterable, Iterator, List, Optional, Sequence
 
 from semantic_frames.lexical_unit import LexicalUnit
-from semantic_types.parts_of_speech import ADJECTIVE, NOUN, parts_of_speech
+from semantic_types.parts_of_speech import ADJECTIVE, NOUN, VERB, parts_of_speech
 from spoken_quantities import find_unit, number_words, unit_words
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import DependencyTree, Word
@@ -22,6 +22,12 @@ from word_classes.shipped import word_classes
 _SHORTEST = 4
 _WORD = re.compile(r"(?<![\w'-])[A-Za-z]{3,}(?![\w'-])")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
+#: Row and column of each letter on a keyboard; each row stands to the right of the one above it.
+_KEYS = {
+    letter: (row, column + shift)
+    for row, (letters, shift) in enumerate((("qwertyuiop", 0.0), ("asdfghjkl", 0.25), ("zxcvbnm", 0.75)))
+    for column, letter in enumerate(letters)
+}
 _DRAWN_OUT = re.compile(r"([a-z])\1{2,}")
 _FINAL = " .!?"
 _GERUND = "ing"
@@ -112,13 +118,42 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         # The first letter of a word is seldom wrong: "Alice" is a name, and no "slice".
         found = [near for near in found if near[0] == said[0] or sorted(near) == sorted(said)]
     found = [near for near in found if sorted(near) == sorted(said)] or found
-    if len({_unit_name(near) for near in found}) != 1:
+    if len({_unit_name(near) for near in found}) != 1 or (
+        set(found) <= vocabulary.words and _may_be_another_verb(said, found[0], is_first=not before)
+    ):
         return None
     meant = max(found, key=lambda near: (near[-1] == said[-1], _beginning(near, said)))
     if word.islower():
         return meant
     # A capital may be that of a name: "Rosie, turn left".
     return meant.capitalize() if not before and meant in vocabulary.words else None
+
+
+def _may_be_another_verb(said: str, meant: str, *, is_first: bool) -> bool:
+    """Whether a short word with another letter is as near to a verb that the robot does not know.
+
+    "Tfil" is neither "tail" nor "toil" for certain; but "taje" is "take", whose key stands beside the one that was hit.
+
+    Args:
+        said: the word
+        meant: the verb of the lexicon
+        is_first: whether it begins the sentence, and so has its first letter right
+    """
+    if len(said) != _SHORTEST or len(meant) != len(said) or sorted(meant) == sorted(said):
+        return False
+    if any(one != other and _are_beside(one, other) for one, other in zip(said, meant)):
+        return False
+    return any(
+        VERB in parts_of_speech(near)
+        for near in _near(said)
+        if len(near) == len(said) and near != meant and (near[0] == said[0] or not is_first)
+    )
+
+
+def _are_beside(one: str, other: str) -> bool:
+    """Whether the keys of two letters touch."""
+    (row, column), (other_row, other_column) = _KEYS[one], _KEYS[other]
+    return abs(row - other_row) <= 1 and abs(column - other_column) <= 1.0
 
 
 def _cut_off(word: str, vocabulary: Verbs) -> Optional[str]:

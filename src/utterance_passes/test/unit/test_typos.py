@@ -63,6 +63,11 @@ MARCHING = Verbs(frozenset(["turn", "march", "give", "go"]), spellings=frozenset
         ("Garch", None),  # the answer "Garch" to "Who?": the first letter of a word is seldom wrong
         ("marh on", "march on"),
         ("say teh", None),
+        ("gize it", None),  # "give" or "gibe"
+        ("gibe it", None),
+        ("gice it", "give it"),  # the key beside it was hit
+        ("gvie it", "give it"),  # two changed places
+        ("giv it", None),
     ],
 )
 def test_a_typo_is_no_name(said: str, written: Optional[str]) -> None:
