@@ -124,7 +124,7 @@ class Elaborate(Sentences):
     # -- persons and ways -----------------------------------------------------------------------
 
     def described(self) -> Node:
-        """ "say hello to everybody who leaves", "tell the man raising his hand a joke", "greet the girl in the hall"."""
+        """ "say hello to everybody who leaves", "tell the man raising his hand a joke"."""
         whom = Node(*(self.any(("everybody", "everyone", "somebody", "anyone")),) * 2, "PRON", "NN", "Number=Sing")
         if self.maybe(0.6):
             whom = self.any_person()

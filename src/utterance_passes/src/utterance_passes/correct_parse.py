@@ -164,6 +164,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn the verb "turn" after a number or a fraction into a noun: "turn a quarter turn left", "make a 30 degree
     turn". The parser takes it for another command.
     """
+    tree = _without_turning_parts(tree)
     for turn in tree.words[2:]:
         phrase = _number_before(tree, turn) or _phrase_before(tree, turn) if _is_turn(turn) and turn.head else []
         if not any(word.form.lower() in _PARTS_OF_A_TURN or word.upos == "NUM" for word in phrase):
@@ -188,6 +189,16 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
                 edit.rehang(word.index, turn.index, _OF_A_TURN.get(word.upos, word.deprel))
         tree = edit.tree()
     return tree
+
+
+def _without_turning_parts(tree: DependencyTree) -> DependencyTree:
+    """Make a measure of a part of a turn that the parser took for who turns: "*a quarter* turn to the right"."""
+    edit = TreeEdit(tree)
+    for part in tree.words[:-1]:
+        is_subject = part.deprel.startswith("nsubj") and part.head == part.index + 1
+        if is_subject and part.form.lower() in _PARTS_OF_A_TURN and _is_turn(tree.word(part.head)):
+            edit.relabel(part.index, "obl:unmarked")
+    return edit.tree()
 
 
 def _is_one_turn(tree: DependencyTree, phrase: Sequence[Word]) -> bool:

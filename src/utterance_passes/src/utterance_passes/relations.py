@@ -53,6 +53,17 @@ def without_verb_compounds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     return edit.tree()
 
 
+def with_relative_subjects(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "who" the subject of the verb right behind it, which has no other: "greet everybody *who leaves*"."""
+    edit = TreeEdit(tree)
+    for word in tree.words[:-1]:
+        verb = tree.word(word.index + 1)
+        is_beside = word.xpos == "WP" and (word.head, word.deprel, verb.upos) == (verb.index, "compound", "VERB")
+        if is_beside and not any(child.deprel.startswith("nsubj") for child in tree.children(verb.index)):
+            edit.relabel(word.index, "nsubj")
+    return edit.tree()
+
+
 def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn a conjunct with "to" into a purpose clause: "turn left to face the door" says why to turn."""
     edit = TreeEdit(tree)

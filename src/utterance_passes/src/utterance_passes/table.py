@@ -175,6 +175,16 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         relations.without_verb_compounds,
     ),
     TreePass(
+        "relative_subjects",
+        'Make "who" the subject of the verb right behind it.',
+        Example(
+            "greet|VERB|0|root all|PRON|1|obj who|PRON|4|compound|who|WP leave|VERB|2|acl:relcl",
+            ("who: compound(leave) -> nsubj(leave)",),
+        ),
+        Stage.PARSER,
+        relations.with_relative_subjects,
+    ),
+    TreePass(
         "infinitive_conjuncts",
         'Turn a verb with "to" that is joined to a verb without it into a purpose clause.',
         Example(
