@@ -83,6 +83,20 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.verbs_behind_commas,
     ),
     TagPass(
+        "verbs_behind_no",
+        'Tag a verb of the lexicon behind "no" as a verb that the tagger took for a noun.',
+        Example("turn|VERB left|ADV no|INTJ turn|NOUN right|ADV", ("4 VERB VB",), _TURN),
+        Stage.PARSER,
+        tagging.verbs_behind_no,
+    ),
+    TagPass(
+        "signs",
+        "Tag signs before a number as adverbs.",
+        Example("turn|VERB right|ADV minus|NOUN 4|NUM turns|NOUN", ("3 ADV RB",), _TURN),
+        Stage.PARSER,
+        tagging.signs,
+    ),
+    TagPass(
         "numbered_noun",
         'Tag a word between "to" and a final number or letter as a noun if the lexicon does not know it as a verb.',
         Example(
