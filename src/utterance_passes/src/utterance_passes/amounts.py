@@ -274,7 +274,9 @@ def _is_of_noun(tree: DependencyTree, index: int) -> bool:
         and not find_unit(noun.form)
         and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
     )
-    return is_name or word.form.lower() == "one" or is_iteration(tree, index)
+    # "One left turn" is as many turns.
+    is_count = word.deprel == "nummod" and noun.index > index
+    return is_name or (word.form.lower() == "one" and not is_count) or is_iteration(tree, index)
 
 
 def is_iteration(tree: DependencyTree, index: int) -> bool:

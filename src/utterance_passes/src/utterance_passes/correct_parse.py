@@ -222,6 +222,8 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         governor = tree.word(side.head) if side.head else side
         if side.form.lower() not in _LEFT_AND_RIGHT:
             continue
+        if governor.deprel == "nummod":
+            governor = tree.word(governor.head)
         if governor.form.lower() in _HOW_OFTEN and side.index == governor.index - 1 and governor.head:
             edit = TreeEdit(tree)
             edit.rehang(side.index, governor.head, "advmod")

@@ -22,6 +22,7 @@ from utterance_passes import (
     times,
 )
 from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
+from utterance_passes.joined_table import JOINING_PASSES
 from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.utterance_pass import (
     CutPass,
@@ -95,6 +96,27 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Example("turn|VERB right|ADV minus|NOUN 4|NUM turns|NOUN", ("3 ADV RB",), _TURN),
         Stage.PARSER,
         tagging.signs,
+    ),
+    TagPass(
+        "no_one",
+        'Tag "no one" as a noun without anything.',
+        Example("tell|VERB no|INTJ one|NUM lies|NOUN", ("2 DET DT", "3 NOUN NN"), Verbs(frozenset(["tell"]))),
+        Stage.PARSER,
+        tagging.no_one,
+    ),
+    TagPass(
+        "sides_alone",
+        "Tag a side without a subject as an adverb that the tagger took for a verb.",
+        Example("left|VERB ,|PUNCT not|PART right|ADV", ("1 ADV RB",), _TURN),
+        Stage.PARSER,
+        tagging.sides_alone,
+    ),
+    TagPass(
+        "numbers_as_nouns",
+        "Tag a number behind an article and an adjective as a noun.",
+        Example("give|VERB me|PRON a|DET low|ADJ five|NUM", ("5 NOUN NN",), Verbs(frozenset(["give"]))),
+        Stage.PARSER,
+        tagging.numbers_as_nouns,
     ),
     TagPass(
         "numbered_noun",
@@ -263,7 +285,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
 
 #: Correct the parse, replace or set aside phrases of the speaker, and mark clauses and times.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    ()
+    JOINING_PASSES
     + PARSE_CORRECTING_PASSES
     + (
         TreePass(

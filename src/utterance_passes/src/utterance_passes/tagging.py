@@ -28,6 +28,7 @@ _RESULTS = word_class("resulting_states")
 _LETTER = re.compile("[A-Z][0-9]*")
 _NO = word_class("objections")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
+_SIDES = word_class("left_and_right")
 _VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
@@ -63,6 +64,33 @@ def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocab
         if tag == "NOUN" and 2 < position < len(forms) and tags[position - 2] == "INTJ"
         if forms[position - 2].lower() in _NO and vocabulary.verbs_beginning_with(form.lower())
         if tags[position] in ("ADV", "ADP", "DET", "PRON", "PROPN", "ADJ")
+    )
+
+
+def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag "no one" behind a verb as a noun without anything: "tell *no one* the secret"."""
+    return tuple(
+        retag
+        for position in range(2, len(forms))
+        if forms[position - 1].lower() == "no" and forms[position].lower() == "one"
+        if tags[position - 1] == "INTJ" and tags[position - 2] == "VERB"
+        for retag in (Retag(position, "DET", "DT"), Retag(position + 1, "NOUN", "NN", "Number=Sing"))
+    )
+
+
+def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a side at the front as an adverb that the tagger took for a verb: "*left*, not right" has nobody who left."""
+    is_side = bool(forms) and forms[0].lower() in _SIDES and tags[0] == "VERB"
+    return (Retag(1, "ADV", "RB"),) if is_side and (len(forms) == 1 or tags[1] == "PUNCT") else ()
+
+
+def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a number behind an article and an adjective as a noun: "give me a low *five*"."""
+    return tuple(
+        Retag(position, "NOUN", "NN", "Number=Sing")
+        for position, tag in enumerate(tags, start=1)
+        if tag == "NUM" and position > 2 and tags[position - 2] == "ADJ" and forms[position - 3].lower() == "a"
+        if position == len(tags) or tags[position] in ("PUNCT", "INTJ", "CCONJ")
     )
 
 

@@ -1,0 +1,75 @@
+"""Lists the passes that correct how the parser joins what stands side by side; ``table`` has the order of all."""
+
+from typing import Tuple
+
+from utterance_passes import joined
+from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.vocabulary import Speech, Verbs
+
+_SAYING = Verbs(frozenset(["say", "wave"]), speech={"say": Speech.SAID})
+
+#: They run before the passes that attach words where they can belong in a command.
+JOINING_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "emphatic_do",
+        'Make "do" before a bare verb its auxiliary.',
+        Example(
+            "do|VERB|0|root shut|VERB|1|xcomp|shut|VB doors|NOUN|2|obj",
+            ("do: root VERB/do -> aux(shut) AUX/do", "shut: xcomp(do) -> root"),
+        ),
+        Stage.FRAMER,
+        joined.with_emphatic_do,
+    ),
+    TreePass(
+        "particles_at_verbs",
+        "Attach a particle before a conjunction to its verb.",
+        Example(
+            "stand|VERB|0|root by|ADP|5|mark until|SCONJ|5|mark Bob|PROPN|5|nsubj comes|VERB|1|advcl|come|VBZ",
+            ("by: mark(comes) -> compound:prt(stand)",),
+        ),
+        Stage.FRAMER,
+        joined.with_particles_at_verbs,
+    ),
+    TreePass(
+        "conditions_joined",
+        "Make a condition of a clause that is joined to the command.",
+        Example(
+            "bring|VERB|0|root cups|NOUN|1|obj but|CCONJ|6|cc if|SCONJ|6|mark it|PRON|6|nsubj rains|VERB|1|conj",
+            ("rains: conj(bring) -> advcl(bring)",),
+        ),
+        Stage.FRAMER,
+        joined.with_conditions_joined,
+    ),
+    TreePass(
+        "words_said",
+        "Make what somebody says the object of saying.",
+        Example(
+            "wave|VERB|0|root until|SCONJ|4|mark I|PRON|4|nsubj say|VERB|5|advcl stop|VERB|1|conj",
+            ("say: advcl(stop) -> advcl(wave)", "stop: conj(wave) -> ccomp(say)"),
+            _SAYING,
+        ),
+        Stage.FRAMER,
+        joined.with_words_said,
+    ),
+    TreePass(
+        "phrases_in_a_row",
+        "Attach the last of three phrases with one preposition to the verb.",
+        Example(
+            "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl to|ADP|5|case Anna|PROPN|1|obl "
+            "to|ADP|7|case Ben|PROPN|5|conj",
+            ("Ben: conj(Anna) -> conj(go)",),
+        ),
+        Stage.FRAMER,
+        joined.with_phrases_in_a_row,
+    ),
+    TreePass(
+        "places_over_here",
+        'Attach an adverb of way to "here" or "there" behind it.',
+        Example(
+            "pull|VERB|0|root carts|NOUN|1|obj over|ADV|1|advmod here|ADV|1|advmod",
+            ("over: advmod(pull) -> advmod(here)",),
+        ),
+        Stage.FRAMER,
+        joined.with_places_over_here,
+    ),
+)
