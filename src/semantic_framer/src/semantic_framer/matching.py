@@ -402,10 +402,10 @@ class _Filling:
                 and phrase.index not in self._sentence.goals
                 and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
-                and positions <= self._clause.positions
+                and positions <= self._clause.positions | self._sentence.tree.abandoned
                 and not self._is_in_a_measure(phrase.index)
             ):
-                found |= positions
+                found |= positions & self._clause.positions
         return found
 
     def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:

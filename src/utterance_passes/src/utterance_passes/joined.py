@@ -11,6 +11,9 @@ from word_classes import word_class
 _BACK = word_class("way_adverbs")
 _CONDITIONS = word_class("conditions")
 _HERE = word_class("here_and_there")
+_NOT = word_class("not")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_SPEAKERS = word_class("speaker_subjects")
 
 
 def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -99,6 +102,23 @@ def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             edit.retag(do.index, "AUX")
             return edit.tree()
     return tree
+
+
+def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a place to the object of what the speaker cannot do: "I can't reach the biscuits *on the top shelf*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        children = tree.children(verb.index)
+        is_speaker = any(child.deprel == "nsubj" and child.form.lower() in _SPEAKERS for child in children)
+        is_denied = any(child.xpos == "MD" for child in children) and any(
+            child.form.lower() in _NOT for child in children
+        )
+        objects = [child for child in children if child.deprel == "obj"] if is_speaker and is_denied else []
+        for place in children if len(objects) == 1 else ():
+            is_behind = min(tree.subtree(place.index)) == max(tree.subtree(objects[0].index)) + 1
+            if place.deprel == "obl" and is_behind and _preposition(tree, place) in _PLACE_PREPOSITIONS:
+                edit.rehang(place.index, objects[0].index, "nmod")
+    return edit.tree()
 
 
 def with_places_over_here(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -63,6 +63,17 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_phrases_in_a_row,
     ),
     TreePass(
+        "places_of_what_fails",
+        "Attach a place to the object of what the speaker cannot do.",
+        Example(
+            "I|PRON|4|nsubj can|AUX|4|aux|can|MD not|PART|4|advmod reach|VERB|0|root cups|NOUN|4|obj on|ADP|7|case "
+            "shelves|NOUN|4|obl",
+            ("shelves: obl(reach) -> nmod(cups)",),
+        ),
+        Stage.FRAMER,
+        joined.with_places_of_what_fails,
+    ),
+    TreePass(
         "places_over_here",
         'Attach an adverb of way to "here" or "there" behind it.',
         Example(
