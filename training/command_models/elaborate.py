@@ -76,10 +76,10 @@ class Elaborate(Sentences):
             verb = verb.post("obj", self.nouns.place())
         elif self.maybe(0.2):
             verb = verb.post("advmod", words.adverb(self.any(("back", "here", "again", "now"))))
-        subject = self.nouns.name() if self.maybe(0.45) else self.nouns.fixture() if self.maybe(0.6) else None
-        if subject is not None and subject.xpos == "NNS":
-            subject = None
-        return verb.pre("nsubj", subject or self.any_person())
+        if self.maybe(0.45):
+            return verb.pre("nsubj", self.nouns.name())
+        subject = self.nouns.fixture() if self.maybe(0.6) else self.any_person()
+        return verb.pre("nsubj", subject if subject.xpos != "NNS" else self.any_person())
 
     def any_person(self) -> Node:
         return words.noun(self.any(self.nouns.lexicon.people)).pre("det", words.word(self.any(("the", "the", "a"))))

@@ -1,6 +1,6 @@
 """Corrects parses that a command cannot mean: "go up" before "to", "can" without a verb."""
 
-from typing import Iterable, List, Sequence
+from typing import FrozenSet, Iterable, List, Sequence
 
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
@@ -10,6 +10,7 @@ from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_ABOUT = frozenset(["about"])
 _CHANGED_STATES = word_class("changed_states")
 _DEGREES = word_class("degrees")
 #: Relations of phrases that end with a noun.
@@ -83,25 +84,29 @@ def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTre
             continue
         objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
         below = tree.children(particle.index) if is_state else ()
-        places = _places_at(tree, (*tree.children(particle.head), *below), particle.index + 1)
+        places = _phrases_at(tree, (*tree.children(particle.head), *below), particle.index + 1)
         for place in places[:1] if objects else ():
             edit.rehang(place.index, objects[0].index, "nmod")
     return edit.tree()
 
 
 def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun."""
+    """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun. So does
+    "about": "tell something *about yourself*"."""
     edit = TreeEdit(tree)
     for pronoun in tree.words:
         if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
-            for place in _places_at(tree, tree.children(pronoun.head), pronoun.index + 1)[:1]:
-                edit.rehang(place.index, pronoun.index, "nmod")
+            words = tree.children(pronoun.head)
+            for phrase in _phrases_at(tree, words, pronoun.index + 1, _PLACE_PREPOSITIONS | _ABOUT)[:1]:
+                edit.rehang(phrase.index, pronoun.index, "nmod")
     return edit.tree()
 
 
-def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
-    """Return the words that head a phrase of place at a position."""
-    if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
+def _phrases_at(
+    tree: DependencyTree, words: Iterable[Word], position: int, prepositions: FrozenSet[str] = _PLACE_PREPOSITIONS
+) -> List[Word]:
+    """Return the words that head a phrase of a verb at a position, by default a phrase of place."""
+    if position > len(tree.words) or tree.word(position).form.lower() not in prepositions:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 

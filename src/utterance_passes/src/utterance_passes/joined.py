@@ -104,6 +104,30 @@ def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return tree
 
 
+def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Set a remark apart that no conjunction joins to the command: "guide Bob to the bath, *he is at the sink*"."""
+    edit = TreeEdit(tree)
+    for predicate in tree.words:
+        children = tree.children(predicate.index)
+        first = min((child.index for child in children if child.upos != "PUNCT"), default=predicate.index)
+        is_finite = any(child.deprel == "cop" for child in children) and tree.word(first).deprel == "nsubj"
+        is_behind = predicate.deprel == "advcl" and 0 < predicate.head < first and tree.word(first - 1).form == ","
+        if is_finite and is_behind and not any(child.deprel == "mark" for child in children):
+            edit.relabel(predicate.index, "parataxis")
+    return edit.tree()
+
+
+def with_copulas_at_question_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach "is" behind a question word to it, not to the subject: "who *is* the person at the sink"."""
+    edit = TreeEdit(tree)
+    for asked, copula in zip(tree.words, tree.words[1:]):
+        subject = tree.word(copula.head) if copula.head else copula
+        is_of_subject = copula.deprel == "cop" and (subject.head, subject.deprel) == (asked.index, "nsubj")
+        if is_of_subject and asked.xpos in ("WP", "WRB"):
+            edit.rehang(copula.index, asked.index)
+    return edit.tree()
+
+
 def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place to the object of what the speaker cannot do: "I can't reach the biscuits *on the top shelf*"."""
     edit = TreeEdit(tree)

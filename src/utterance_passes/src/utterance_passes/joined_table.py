@@ -41,6 +41,26 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_conditions_joined,
     ),
     TreePass(
+        "remarks_joined",
+        "Set a remark apart that no conjunction joins to the command.",
+        Example(
+            "guide|VERB|0|root Bob|PROPN|1|obj ,|PUNCT|6|punct he|PRON|6|nsubj is|AUX|6|cop|be here|ADV|1|advcl",
+            ("here: advcl(guide) -> parataxis(guide)",),
+        ),
+        Stage.FRAMER,
+        joined.with_remarks_joined,
+    ),
+    TreePass(
+        "copulas_at_question_words",
+        'Attach "is" behind a question word to it, not to the subject.',
+        Example(
+            "who|PRON|0|root|who|WP is|AUX|3|cop|be Bob|PROPN|1|nsubj",
+            ("is: cop(Bob) -> cop(who)",),
+        ),
+        Stage.FRAMER,
+        joined.with_copulas_at_question_words,
+    ),
+    TreePass(
         "words_said",
         "Make what somebody says the object of saying.",
         Example(

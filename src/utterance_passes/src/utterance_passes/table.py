@@ -91,6 +91,17 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.verbs_behind_no,
     ),
     TagPass(
+        "verbs_behind_and",
+        'Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun.',
+        Example(
+            "count|VERB cups|NOUN and|CCONJ report|NOUN to|ADP me|PRON",
+            ("4 VERB VB",),
+            Verbs(frozenset(["count", "report"])),
+        ),
+        Stage.PARSER,
+        tagging.verbs_behind_and,
+    ),
+    TagPass(
         "signs",
         "Tag signs before a number as adverbs.",
         Example("turn|VERB right|ADV minus|NOUN 4|NUM turns|NOUN", ("3 ADV RB",), _TURN),

@@ -67,6 +67,18 @@ def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocab
     )
 
 
+def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun: "count all and
+    *report* to me"."""
+    return tuple(
+        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and 2 < position < len(forms) - 1 and forms[position - 2].lower() == "and"
+        if form.islower() and vocabulary.verbs_beginning_with(form)
+        if forms[position].lower() == "to" and tags[position + 1] == "PRON"
+    )
+
+
 def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
     """Tag "no one" behind a verb as a noun without anything: "tell *no one* the secret"."""
     return tuple(
