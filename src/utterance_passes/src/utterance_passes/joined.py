@@ -128,6 +128,17 @@ def with_copulas_at_question_words(tree: DependencyTree, _: Vocabulary) -> Depen
     return edit.tree()
 
 
+def with_prepositions_of_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "to" before a noun a preposition: "say hello *to Bob* in ten minutes"."""
+    edit = TreeEdit(tree)
+    for to in tree.words:
+        noun = tree.word(to.head) if to.head else to
+        is_mark = to.deprel == "mark" and to.form.lower() == "to" and noun.deprel in ("obl", "nmod")
+        if is_mark and noun.index > to.index and noun.upos in ("NOUN", "PROPN", "PRON"):
+            edit.make_preposition(to.index, noun.index)
+    return edit.tree()
+
+
 def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place to the object of what the speaker cannot do: "I can't reach the biscuits *on the top shelf*"."""
     edit = TreeEdit(tree)

@@ -61,6 +61,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_copulas_at_question_words,
     ),
     TreePass(
+        "prepositions_of_nouns",
+        'Make "to" before a noun a preposition.',
+        Example(
+            "say|VERB|0|root hello|INTJ|1|obj to|PART|4|mark Bob|PROPN|1|obl",
+            ("to: mark(Bob) PART/to -> case(Bob) ADP/to",),
+        ),
+        Stage.FRAMER,
+        joined.with_prepositions_of_nouns,
+    ),
+    TreePass(
         "words_said",
         "Make what somebody says the object of saying.",
         Example(
