@@ -73,7 +73,6 @@ def prepare_sentences(plan: Plan) -> None:
     # development sentences of the small models: same words, another seed, and no evaluation words
     others = list(generate.training(300, plan.seed + 1, mined))
     write(data / "commands.conllu", commands)
-    write(data / "commands.quarter.conllu", commands[: len(commands) // 4])
     write(data / "held-out.conllu", generate.evaluation(plan.held_out, plan.seed))
     write(data / "written.dev.conllu", dev)
     write(data / "mixed.train.conllu", written + commands)
@@ -83,6 +82,15 @@ def prepare_sentences(plan: Plan) -> None:
         [data / "written.train.conllu", data / "spoken.conllu", data / "commands.conllu"], data / "lemma.train.conllu"
     )
     tell(f"      {len(written)} written, {len(spoken)} spoken, {len(commands)} generated sentences")
+
+
+def prepare_elaborate(plan: Plan) -> None:
+    """Generate the sentences of the last steps of the tagger and the parser."""
+    data = plan.work / "data"
+    mined = mining.mine([data / "written.train.conllu", data / "spoken.conllu"], evaluation_words())
+    sentences = list(generate.elaborate(plan.commands * 4 // 5, plan.seed + 3, mined))
+    write(data / "elaborate.conllu", sentences)
+    write(data / "elaborate.part.conllu", sentences[: len(sentences) * 3 // 8])
 
 
 def make_vectors(plan: Plan) -> None:
@@ -112,6 +120,7 @@ def steps(plan: Plan) -> List[Step]:
     treebank_files = tuple(asdict(treebanks.written(plan.ewt)).values()) + tuple(
         sorted(plan.childes.glob("**/*.conllu"))
     )
+    generator = tuple(_HERE / name for name in _GENERATOR)
     effort = plan.effort
 
     def trained(
@@ -147,10 +156,11 @@ def steps(plan: Plan) -> List[Step]:
     )
     mixed = (data / "mixed.train.conllu", data / "mixed.dev.conllu")
     word_vectors = models / "vectors.pt"
+    settled_by = (data / "mixed.dev.conllu", word_vectors, _HERE / "settling.py")
     return [
         Step(
             "sentences",
-            treebank_files + tuple(_HERE / name for name in _GENERATOR),
+            treebank_files + generator,
             mixed
             + tuple(
                 data / name
@@ -161,12 +171,20 @@ def steps(plan: Plan) -> List[Step]:
                     "lemma.train.conllu",
                     "held-out.conllu",
                     "written.train.conllu",
-                    "commands.quarter.conllu",
+                    "commands.conllu",
                 )
             ),
             {"seed": plan.seed, "commands": plan.commands, "held_out": plan.held_out},
             lambda: prepare_sentences(plan),
             logs / "sentences.log",
+        ),
+        Step(
+            "elaborate",
+            (data / "written.train.conllu", data / "spoken.conllu", *generator, _HERE / "elaborate.py"),
+            (data / "elaborate.conllu", data / "elaborate.part.conllu"),
+            {"seed": plan.seed, "commands": plan.commands},
+            lambda: prepare_elaborate(plan),
+            logs / "elaborate.log",
         ),
         Step(
             "vectors",
@@ -200,8 +218,14 @@ def steps(plan: Plan) -> List[Step]:
             "settle-longer",
             trainers.settled_longer,
             "parser.pt",
-            (models / "parser-settled.pt", data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
-            may_go_on=True,
+            (
+                models / "parser-settled.pt",
+                data / "written.train.conllu",
+                data / "spoken.conllu",
+                data / "commands.conllu",
+                data / "elaborate.conllu",
+                *settled_by,
+            ),
         ),
         trained(
             "settle-tagger",
@@ -210,10 +234,8 @@ def steps(plan: Plan) -> List[Step]:
             (
                 models / "tagger-full.pt",
                 data / "written.train.conllu",
-                data / "commands.quarter.conllu",
-                data / "written.dev.conllu",
-                word_vectors,
-                _HERE / "settling.py",
+                data / "elaborate.part.conllu",
+                *settled_by,
             ),
         ),
         Step("preparation", mixed, small, {}, prepared, logs / "preparation.log"),

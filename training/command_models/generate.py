@@ -2,10 +2,11 @@
 
 import random
 from dataclasses import dataclass, replace
-from typing import FrozenSet, Iterator, List, Set
+from typing import FrozenSet, Iterator, List, Set, Type
 
 from .clauses import Clauses
 from .conllu import Sentence, problems
+from .elaborate import Elaborate
 from .errors import TrainingError
 from .lexicon import EVALUATION, TRAINING, Lexicon, evaluation_words
 from .mining import Mined
@@ -83,11 +84,13 @@ def _asks(root: Node) -> bool:
     return bool(words) and words[0].upos == "AUX" and any(part.rel.startswith("nsubj") for part in words)
 
 
-def builder(chooser: random.Random, lexicon: Lexicon, mined: Mined, wide: float) -> Sentences:
+def builder(
+    chooser: random.Random, lexicon: Lexicon, mined: Mined, wide: float, kind: Type[Sentences] = Sentences
+) -> Sentences:
     """A sentence builder over a lexicon; ``wide`` is the share of mined and made-up words (0 to 1)."""
     nouns = Nouns(chooser, lexicon, mined, wide)
     clauses = Clauses(chooser, nouns)
-    return Sentences(chooser, nouns, clauses, Verbs(chooser, nouns, clauses))
+    return kind(chooser, nouns, clauses, Verbs(chooser, nouns, clauses))
 
 
 def generate(
@@ -98,13 +101,14 @@ def generate(
     wide: float,
     prefix: str,
     banned: FrozenSet[str] = frozenset(),
+    kind: Type[Sentences] = Sentences,
 ) -> Iterator[Sentence]:
     """Return ``count`` different sentences without ``banned`` words, each as one paragraph.
 
     Raises TrainingError if a frame builds something that is not a tree, which is a mistake in the frame.
     """
     chooser = random.Random(seed)
-    build = builder(chooser, lexicon, mined, wide)
+    build = builder(chooser, lexicon, mined, wide, kind)
     seen: Set[str] = set()
     made = 0
     tries = 0
@@ -136,6 +140,11 @@ def generate(
 def training(count: int, seed: int, mined: Mined, wide: float = 0.32) -> Iterator[Sentence]:
     """Sentences to train on."""
     return generate(count, seed, TRAINING, mined, wide, "command", evaluation_words())
+
+
+def elaborate(count: int, seed: int, mined: Mined, wide: float = 0.32) -> Iterator[Sentence]:
+    """Sentences to train on in the last steps."""
+    return generate(count, seed, TRAINING, mined, wide, "elaborate", evaluation_words(), Elaborate)
 
 
 def evaluation(count: int, seed: int) -> Iterator[Sentence]:

@@ -31,7 +31,7 @@ class Sentences:
         return self.chooser.choice(options)
 
     def utterance(self) -> Node:
-        frames: Dict[str, float] = dict(_FRAMES)
+        frames = plain_frames()
         drawn = self.chooser.choices(list(frames), list(frames.values()))[0]
         built: Node = getattr(self, drawn)()
         return built
@@ -435,3 +435,8 @@ _FRAMES: Tuple[Tuple[str, float], ...] = (
 def frame_names() -> Tuple[str, ...]:
     """Names of all utterance frames."""
     return tuple(frame for frame, _ in _FRAMES)
+
+
+def plain_frames() -> Dict[str, float]:
+    """The utterance frames of most commands, with how often each is drawn."""
+    return dict(_FRAMES)

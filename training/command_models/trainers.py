@@ -26,7 +26,7 @@ class Effort:
     tagger: int = 1600
     parser: int = 3900
     settle: int = 450  # the parser's next steps, at a quarter of the learning rate
-    settle_longer: int = 600  # and its last ones, at a seventh
+    settle_longer: int = 600  # and its last ones, averaged
     settle_tagger: int = 500  # the tagger's last ones, at a fifth
 
 
@@ -140,12 +140,17 @@ def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
 
 
 def settled_tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """The best tagger, trained further at a fifth of the rate, with a quarter of the commands (by then known)."""
-    files = [models / "tagger-full.pt", models / "tagger.pt", models / "vectors.pt", data / "written.dev.conllu"]
-    train = [data / "written.train.conllu", data / "commands.quarter.conllu"]
-    counts = [str(effort.settle_tagger), str(seed + 1)]
-    command = [sys.executable, "-m", "command_models.settling"]
-    return command + [str(path) for path in files] + counts + [str(path) for path in train]
+    """The best tagger, trained further at a fifth of the rate, with other commands than before, and fewer."""
+    train = [data / "written.train.conllu", data / "elaborate.part.conllu"]
+    return _settled("tagger", "tagger-full.pt", "tagger.pt", data, models, effort.settle_tagger, seed + 1, train)
+
+
+def _settled(
+    kind: str, source: str, target: str, data: Path, models: Path, steps: int, seed: int, train: List[Path]
+) -> List[str]:
+    command = [sys.executable, "-m", "command_models.settling", kind]
+    files = [models / source, models / target, models / "vectors.pt", data / "mixed.dev.conllu"]
+    return command + [str(path) for path in files] + [str(steps), str(seed)] + [str(path) for path in train]
 
 
 _PARSER = (
@@ -185,11 +190,9 @@ def settled_parser(data: Path, models: Path, effort: Effort, seed: int) -> List[
 
 
 def settled_longer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """The settled parser, trained to the end at a seventh of the learning rate."""
-    steps = ["--max_steps", str(effort.settle_longer), "--seed", str(seed + 2), *_named("parser")]
-    source = ["--continue_from", str(models / "parser-settled.pt")]
-    command = _module("models.parser", _PARSER + "--lr 0.0003 --eval_interval 150")
-    return command + steps + source + _parser_files(data, models)
+    """The settled parser, trained to the end at the same rate, with more commands and the average of its weights."""
+    train = [data / f"{name}.conllu" for name in ("written.train", "spoken", "commands", "elaborate")]
+    return _settled("parser", "parser-settled.pt", "parser.pt", data, models, effort.settle_longer, seed + 2, train)
 
 
 def _named(name: str) -> List[str]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from command_models import clauses, conllu, generate, lexicon, mining, nouns, sentences, trees, verbs, words
+from command_models import clauses, conllu, elaborate, generate, lexicon, mining, nouns, sentences, trees, verbs, words
 from command_models.errors import TrainingError
 from command_models.mining import Mined
 
@@ -45,6 +45,21 @@ def test_every_frame_builds_trees():
     for frame in sentences.frame_names():
         for _ in range(60):
             assert conllu.problems(trees.flatten(getattr(build, frame)())) == [], frame
+
+
+def test_every_frame_of_the_last_steps_builds_trees():
+    build = generate.builder(random.Random(3), lexicon.TRAINING, EMPTY, 0.3, elaborate.Elaborate)
+    for frame in elaborate.frame_names():
+        for _ in range(60):
+            assert conllu.problems(trees.flatten(getattr(build, frame)())) == [], frame
+
+
+def test_sentences_of_the_last_steps_are_others_without_evaluation_words(made):
+    last = list(generate.elaborate(600, 5, EMPTY))
+    banned = lexicon.evaluation_words()
+    assert not any(word.lemma.lower() in banned for sentence in last for word in sentence.words)
+    assert any(("twice", "advmod", "turn") in relations(sentence) for sentence in last)
+    assert len({one.text() for one in last} - {one.text() for one in made}) > 500
 
 
 @pytest.mark.parametrize("form", [words.imperative, words.infinitive, words.gerund])

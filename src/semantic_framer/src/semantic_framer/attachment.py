@@ -2,10 +2,11 @@
 for it.
 """
 
-from typing import AbstractSet, Collection, Container, FrozenSet, List, Sequence, Tuple
+from typing import AbstractSet, Collection, Container, FrozenSet, Iterable, List, Sequence, Tuple
 
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.lexical_unit import LexicalUnit
+from utterance_passes.amounts import is_beside
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -55,6 +56,23 @@ def is_place_in_a_row(tree: DependencyTree, index: int) -> bool:
     word = tree.word(index)
     prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
     return word.form.lower() in _LEFT_AND_RIGHT and word.deprel == "nmod" and prepositions == ["from"]
+
+
+def is_right_behind(tree: DependencyTree, phrase: FrozenSet[int], noun: FrozenSet[int]) -> bool:
+    """Whether nothing that counts stands between a noun and a phrase: what was taken back does not."""
+    last, first = max(noun), min(phrase)
+    return last < first and is_beside(tree, last, first)
+
+
+def places_said(tree: DependencyTree, heads: Iterable[int]) -> List[int]:
+    """Return places as they are said, those that tell which of all things are meant behind the others: "put everything
+    *on the table* in the sink"."""
+
+    def key(index: int) -> Tuple[bool, int]:
+        word = tree.word(index)
+        return bool(word.head) and tree.word(word.head).form.lower() in _INDEFINITES, index
+
+    return sorted(heads, key=key)
 
 
 def _is_prepositional(tree: DependencyTree, index: int) -> bool:

@@ -16,10 +16,12 @@ from semantic_framer.attachment import (
     is_part_of_used_name,
     is_place_in_a_row,
     is_postmodifier_of,
+    is_right_behind,
     listed_particle,
     objects_elsewhere,
     persons_behind,
     places_before,
+    places_said,
     words_before,
     words_before_amount,
 )
@@ -180,7 +182,7 @@ class _Filling:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": the first place is meant, and the others describe it.
         static = [path for path in relation.relations if path.preposition.split("_")[0] in _PLACE_PREPOSITIONS]
-        places = sorted(head for path in static for head in self._follow(path, is_wanted))
+        places = places_said(self._sentence.tree, (head for path in static for head in self._follow(path, is_wanted)))
         if relation.after_place:
             places = [
                 head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
@@ -380,10 +382,8 @@ class _Filling:
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
-        if not has_postmodifiers(self._sentence.tree, head):
-            return frozenset()
         noun = self._sentence.subtree(head) - left_out
-        if not noun:
+        if not noun or not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
         if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
@@ -398,14 +398,14 @@ class _Filling:
                 self._sentence.tree, head, min(positions), self._clause.positions - left_out - taken
             )
             if (
-                min(positions) == max(noun | found) + 1
+                is_right_behind(self._sentence.tree, positions, noun | found)
                 and phrase.index not in self._sentence.goals
                 and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
-                and positions <= self._clause.positions
+                and positions <= self._clause.positions | self._sentence.tree.abandoned
                 and not self._is_in_a_measure(phrase.index)
             ):
-                found |= positions
+                found |= positions & self._clause.positions
         return found
 
     def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:

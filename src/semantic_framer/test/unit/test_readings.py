@@ -52,7 +52,6 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
         ("is the door heavy to open", "QUESTION"),
         ("what did the table cost", "QUESTION"),
         ("would you be happy", "QUESTION"),
-        ("if it rains close the windows", "CONDITION"),
         ("I like the mug", "REPORT"),
         ("I have the mug", "REPORT"),
         ("do the mug", "UNKNOWN_VERB"),

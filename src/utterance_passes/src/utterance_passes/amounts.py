@@ -21,8 +21,9 @@ _ORDINALS = frozenset("third fourth fifth sixth seventh eighth ninth tenth".spli
 #: Words that people say inside a number: "one oh five", "two point five".
 _EMPHASIS = frozenset("full whole complete entire more further additional extra".split())
 _INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
-_SIGNS = frozenset(["minus", "negative", "plus"])
-_NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
+#: Words that can begin a number.
+SIGNS = frozenset(["minus", "negative", "plus"])
+_NUMBER_WORDS = frozenset(number_words()) - _INSIDE - SIGNS
 _PLACE_IN_ROW = re.compile(r"\d+(st|nd|rd|th)")
 _ARTICLES = frozenset(["a", "an"])
 _FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
@@ -32,7 +33,7 @@ _TURNS = frozenset(["turn", "circle"])
 
 #: "Another metre" is one metre.
 ANOTHER = "another"
-_MAY_BE_INSIDE = _INSIDE | _SIGNS | _ORDINALS | {ANOTHER, "couple", "few", "+"}
+_MAY_BE_INSIDE = _INSIDE | SIGNS | _ORDINALS | {ANOTHER, "couple", "few", "+"}
 _ONE = (["a"], ["an"], [ANOTHER])
 
 
@@ -203,7 +204,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
     numeral = window[:-1] if unit else window
     if any(unit_at(tree, index) and not is_number(tree, index) for index in numeral):
         return _sum(tree, window)
-    is_one = unit is not None and [form for form in forms[:-1] if form not in _SIGNS | _EMPHASIS] in _ONE
+    is_one = unit is not None and [form for form in forms[:-1] if form not in SIGNS | _EMPHASIS] in _ONE
     if ANOTHER in forms and not is_one:
         return None
     if not is_one and not any(is_number(tree, index) for index in numeral):
@@ -243,7 +244,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
 
 def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[str]) -> bool:
     """Whether the marks among some words are written as in a single number: "forty-five", "1,000", "-2"."""
-    if forms[0] in ("and", "of", "oh", "/", ",", ".") or (forms[0] in _SIGNS and len(forms) == 1):
+    if forms[0] in ("and", "of", "oh", "/", ",", ".") or (forms[0] in SIGNS and len(forms) == 1):
         return False
     if forms[0] == "point" and _has_determiner(tree, window[0]):
         return False
@@ -273,7 +274,9 @@ def _is_of_noun(tree: DependencyTree, index: int) -> bool:
         and not find_unit(noun.form)
         and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
     )
-    return is_name or word.form.lower() == "one" or is_iteration(tree, index)
+    # "One left turn" is as many turns.
+    is_count = word.deprel == "nummod" and noun.index > index
+    return is_name or (word.form.lower() == "one" and not is_count) or is_iteration(tree, index)
 
 
 def is_iteration(tree: DependencyTree, index: int) -> bool:
@@ -297,7 +300,7 @@ def _said(tree: DependencyTree, window: Sequence[int]) -> str:
 def _sum(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
     """Return an amount in several units, such as "5 feet 6 inches", converted to its first unit."""
     first = tree.word(window[0]).form.lower()
-    if not is_number(tree, window[0]) and first not in _ARTICLES | _SIGNS | {"-"}:
+    if not is_number(tree, window[0]) and first not in _ARTICLES | SIGNS | {"-"}:
         return None
     if not unit_at(tree, window[-1]) and window[-1] < len(tree.words):
         # "5 feet 6 times" and "2 metres 90 degrees" are two amounts.

@@ -117,12 +117,13 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
                 if given and phrase.index >= given[0] and phrase.deprel == "obl":
                     edit.rehang(phrase.index, thing.head)
             continue
-        is_to = case.deprel == "case" and case.head == use.index and case.form.lower() == "to"
-        is_bare = use.upos == "NOUN" and len(tree.children(use.index)) == 1
+        is_to = case.deprel in ("case", "mark") and case.head == use.index and case.form.lower() == "to"
+        is_bare = use.upos in ("NOUN", "VERB") and len(tree.children(use.index)) == 1
         if (
             is_to
             and is_bare
             and use.head in (thing.index, thing.head)
+            and use.deprel not in ("acl", "xcomp", "advcl")
             and use.form == use.lemma
             and VERB in parts_of_speech(use.lemma)
         ):

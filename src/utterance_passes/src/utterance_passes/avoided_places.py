@@ -88,5 +88,6 @@ def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
     head = tree.word(word.head) if word.head else None
     while head is not None and head.upos in _NOUNS and head.head:
         head = tree.word(head.head)
-    is_going = head is not None and head.lemma.lower() in _GOING | _ARRIVING
-    return head if is_going else None
+    # "Keep *visiting* the kitchen, avoiding the hall."
+    verbs = [] if head is None else [head, *(child for child in tree.children(head.index) if child.deprel == "xcomp")]
+    return next((verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING and verb.index != word.index), None)

@@ -1,6 +1,6 @@
 """Corrects parses that a command cannot mean: "go up" before "to", "can" without a verb."""
 
-from typing import Iterable, List, Sequence
+from typing import FrozenSet, Iterable, List, Sequence
 
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
@@ -10,6 +10,7 @@ from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_ABOUT = frozenset(["about"])
 _CHANGED_STATES = word_class("changed_states")
 _DEGREES = word_class("degrees")
 #: Relations of phrases that end with a noun.
@@ -83,25 +84,29 @@ def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTre
             continue
         objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
         below = tree.children(particle.index) if is_state else ()
-        places = _places_at(tree, (*tree.children(particle.head), *below), particle.index + 1)
+        places = _phrases_at(tree, (*tree.children(particle.head), *below), particle.index + 1)
         for place in places[:1] if objects else ():
             edit.rehang(place.index, objects[0].index, "nmod")
     return edit.tree()
 
 
 def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun."""
+    """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun. So does
+    "about": "tell something *about yourself*"."""
     edit = TreeEdit(tree)
     for pronoun in tree.words:
         if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
-            for place in _places_at(tree, tree.children(pronoun.head), pronoun.index + 1)[:1]:
-                edit.rehang(place.index, pronoun.index, "nmod")
+            words = tree.children(pronoun.head)
+            for phrase in _phrases_at(tree, words, pronoun.index + 1, _PLACE_PREPOSITIONS | _ABOUT)[:1]:
+                edit.rehang(phrase.index, pronoun.index, "nmod")
     return edit.tree()
 
 
-def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
-    """Return the words that head a phrase of place at a position."""
-    if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
+def _phrases_at(
+    tree: DependencyTree, words: Iterable[Word], position: int, prepositions: FrozenSet[str] = _PLACE_PREPOSITIONS
+) -> List[Word]:
+    """Return the words that head a phrase of a verb at a position, by default a phrase of place."""
+    if position > len(tree.words) or tree.word(position).form.lower() not in prepositions:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 
@@ -164,6 +169,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn the verb "turn" after a number or a fraction into a noun: "turn a quarter turn left", "make a 30 degree
     turn". The parser takes it for another command.
     """
+    tree = _without_turning_parts(tree)
     for turn in tree.words[2:]:
         phrase = _number_before(tree, turn) or _phrase_before(tree, turn) if _is_turn(turn) and turn.head else []
         if not any(word.form.lower() in _PARTS_OF_A_TURN or word.upos == "NUM" for word in phrase):
@@ -190,6 +196,16 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return tree
 
 
+def _without_turning_parts(tree: DependencyTree) -> DependencyTree:
+    """Make a measure of a part of a turn that the parser took for who turns: "*a quarter* turn to the right"."""
+    edit = TreeEdit(tree)
+    for part in tree.words[:-1]:
+        is_subject = part.deprel.startswith("nsubj") and part.head == part.index + 1
+        if is_subject and part.form.lower() in _PARTS_OF_A_TURN and _is_turn(tree.word(part.head)):
+            edit.relabel(part.index, "obl:unmarked")
+    return edit.tree()
+
+
 def _is_one_turn(tree: DependencyTree, phrase: Sequence[Word]) -> bool:
     """Whether the words before "turn" are "one" behind a verb of turning: "rotate (almost) one turn clockwise"."""
     before = [word for word in tree.words[: phrase[0].index - 1] if word.upos not in ("ADV", "DET")]
@@ -211,6 +227,8 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         governor = tree.word(side.head) if side.head else side
         if side.form.lower() not in _LEFT_AND_RIGHT:
             continue
+        if governor.deprel == "nummod":
+            governor = tree.word(governor.head)
         if governor.form.lower() in _HOW_OFTEN and side.index == governor.index - 1 and governor.head:
             edit = TreeEdit(tree)
             edit.rehang(side.index, governor.head, "advmod")

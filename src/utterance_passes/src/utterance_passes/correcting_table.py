@@ -369,6 +369,17 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         participles.with_participles_at_nouns,
     ),
     TreePass(
+        "persons_told",
+        "Make a person the hearer who is the only object of a verb of telling.",
+        Example(
+            "tell|VERB|0|root Bob|PROPN|1|obj",
+            ("Bob: obj(tell) -> iobj(tell)",),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_persons_told,
+    ),
+    TreePass(
         "objects_behind",
         "Attach an object behind other phrases to the verb.",
         Example(

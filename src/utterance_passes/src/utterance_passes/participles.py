@@ -95,7 +95,9 @@ def _hang_behind(tree: DependencyTree, edit: TreeEdit, gerund: Word, person: Wor
     is_of_object = governor.deprel == "obj" and top.deprel == "nmod" and governor.head
     edit.rehang(person.index, governor.head if is_of_object else top.head, "obl" if is_of_object else top.deprel)
     for child in tree.children(gerund.index):
-        if child.index < gerund.index:
+        if child.index < gerund.index and child.deprel == "mark":
+            edit.make_preposition(child.index, person.index)
+        elif child.index < gerund.index:
             edit.rehang(child.index, person.index)
     between = tree.words[gerund.index : person.index - 1]
     if between:

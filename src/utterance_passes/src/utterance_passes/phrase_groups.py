@@ -80,13 +80,16 @@ def _is_somebody(word: Word) -> bool:
 
 
 def with_names_apart(groups: Sequence[Group]) -> Optional[List[Group]]:
-    """Divide groups of a name and a bare noun, as in "Anna coffee and Ben tea"; None unless all groups are so."""
+    """Divide groups of a name and a bare noun, as in "Anna coffee and Ben tea"; None unless all groups are so.
+
+    The parser may have divided some of the groups.
+    """
     found: List[Group] = []
     for group in groups:
-        words = group[0].words
-        if len(group) != 1 or [word.upos for word in words] != ["PROPN", "NOUN"]:
+        words = [word for phrase in group for word in phrase.words]
+        if [word.upos for word in words] != ["PROPN", "NOUN"] or any(phrase.kind is not Kind.NOUN for phrase in group):
             return None
-        found.append((Phrase(Kind.NOUN, words[:1]), Phrase(Kind.NOUN, words[1:])))
+        found.append((Phrase(Kind.NOUN, tuple(words[:1])), Phrase(Kind.NOUN, tuple(words[1:]))))
     return found
 
 
@@ -145,7 +148,8 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
 
 def _length_of_noun_phrase(tree: DependencyTree, words: Sequence[Word]) -> int:
     """Return the length, in words, of the noun phrase at the front of some words; 0 if there is none."""
-    if words and words[0].upos == "PRON" and words[0].deprel != "nmod:poss":
+    # "The pen and *him the cup*": whatever the parser says, "him" owns nothing.
+    if words and words[0].upos == "PRON" and (words[0].deprel != "nmod:poss" or words[0].xpos == "PRP"):
         return 1
     taken: List[Word] = []
     has_noun = False

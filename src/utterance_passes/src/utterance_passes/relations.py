@@ -3,9 +3,10 @@
 A parser labels each arc by itself; these passes correct labels that contradict the arcs around them.
 """
 
+from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.vocabulary import Speech, Vocabulary, is_verb
 from word_classes import word_class
 
 _ASKING = word_class("asking_verbs")
@@ -50,6 +51,17 @@ def without_verb_compounds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
         head = tree.word(word.head) if word.head else word
         if word.deprel == "compound" and head.upos == word.upos == "VERB" and head.index < word.index:
             edit.relabel(word.index, "xcomp")
+    return edit.tree()
+
+
+def with_relative_subjects(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "who" the subject of the verb right behind it, which has no other: "greet everybody *who leaves*"."""
+    edit = TreeEdit(tree)
+    for word in tree.words[:-1]:
+        verb = tree.word(word.index + 1)
+        is_beside = word.xpos == "WP" and (word.head, word.deprel, verb.upos) == (verb.index, "compound", "VERB")
+        if is_beside and not any(child.deprel.startswith("nsubj") for child in tree.children(verb.index)):
+            edit.relabel(word.index, "nsubj")
     return edit.tree()
 
 
@@ -148,6 +160,20 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
         for word in between:
             if not verb.index < word.head < copula.index:
                 edit.rehang(word.index, predicate.index, "nsubj")
+    return edit.tree()
+
+
+def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        if vocabulary.speech_of(verb.lemma.lower()) is not Speech.TOLD or verb.upos != "VERB":
+            continue
+        children = tree.children(verb.index)
+        objects = [child for child in children if child.deprel in ("obj", "iobj", "ccomp", "xcomp")]
+        is_alone = len(objects) == 1 and min(tree.subtree(objects[0].index)) == verb.index + 1
+        if is_alone and objects[0].deprel == "obj" and (objects[0].upos == "PROPN" or is_person(objects[0])):
+            edit.relabel(objects[0].index, "iobj")
     return edit.tree()
 
 

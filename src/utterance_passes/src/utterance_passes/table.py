@@ -22,6 +22,7 @@ from utterance_passes import (
     times,
 )
 from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
+from utterance_passes.joined_table import JOINING_PASSES
 from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.utterance_pass import (
     CutPass,
@@ -81,6 +82,52 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         ),
         Stage.PARSER,
         tagging.verbs_behind_commas,
+    ),
+    TagPass(
+        "verbs_behind_no",
+        'Tag a verb of the lexicon behind "no" as a verb that the tagger took for a noun.',
+        Example("turn|VERB left|ADV no|INTJ turn|NOUN right|ADV", ("4 VERB VB",), _TURN),
+        Stage.PARSER,
+        tagging.verbs_behind_no,
+    ),
+    TagPass(
+        "verbs_behind_and",
+        'Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun.',
+        Example(
+            "count|VERB cups|NOUN and|CCONJ report|NOUN to|ADP me|PRON",
+            ("4 VERB VB",),
+            Verbs(frozenset(["count", "report"])),
+        ),
+        Stage.PARSER,
+        tagging.verbs_behind_and,
+    ),
+    TagPass(
+        "signs",
+        "Tag signs before a number as adverbs.",
+        Example("turn|VERB right|ADV minus|NOUN 4|NUM turns|NOUN", ("3 ADV RB",), _TURN),
+        Stage.PARSER,
+        tagging.signs,
+    ),
+    TagPass(
+        "no_one",
+        'Tag "no one" as a noun without anything.',
+        Example("tell|VERB no|INTJ one|NUM lies|NOUN", ("2 DET DT", "3 NOUN NN"), Verbs(frozenset(["tell"]))),
+        Stage.PARSER,
+        tagging.no_one,
+    ),
+    TagPass(
+        "sides_alone",
+        "Tag a side without a subject as an adverb that the tagger took for a verb.",
+        Example("left|VERB ,|PUNCT not|PART right|ADV", ("1 ADV RB",), _TURN),
+        Stage.PARSER,
+        tagging.sides_alone,
+    ),
+    TagPass(
+        "numbers_as_nouns",
+        "Tag a number behind an article and an adjective as a noun.",
+        Example("give|VERB me|PRON a|DET low|ADJ five|NUM", ("5 NOUN NN",), Verbs(frozenset(["give"]))),
+        Stage.PARSER,
+        tagging.numbers_as_nouns,
     ),
     TagPass(
         "numbered_noun",
@@ -175,6 +222,16 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         relations.without_verb_compounds,
     ),
     TreePass(
+        "relative_subjects",
+        'Make "who" the subject of the verb right behind it.',
+        Example(
+            "greet|VERB|0|root all|PRON|1|obj who|PRON|4|compound|who|WP leave|VERB|2|acl:relcl",
+            ("who: compound(leave) -> nsubj(leave)",),
+        ),
+        Stage.PARSER,
+        relations.with_relative_subjects,
+    ),
+    TreePass(
         "infinitive_conjuncts",
         'Turn a verb with "to" that is joined to a verb without it into a purpose clause.',
         Example(
@@ -239,7 +296,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
 
 #: Correct the parse, replace or set aside phrases of the speaker, and mark clauses and times.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    ()
+    JOINING_PASSES
     + PARSE_CORRECTING_PASSES
     + (
         TreePass(

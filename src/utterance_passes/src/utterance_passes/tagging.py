@@ -4,6 +4,7 @@ import re
 from typing import Optional, Sequence, Tuple
 
 from semantic_types.parts_of_speech import ADVERB, NOUN, VERB, parts_of_speech
+from utterance_passes.amounts import SIGNS
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.utterance_pass import Retag
@@ -25,7 +26,9 @@ _LEAD_IN = word_class("lead_in")
 _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
+_NO = word_class("objections")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
+_SIDES = word_class("left_and_right")
 _VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
@@ -51,6 +54,68 @@ def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: V
         # "The guide, Bob" has no verb, and neither has "room, table and chair".
         if tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES
     )
+
+
+def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a verb of the lexicon behind "no" that the tagger took for a noun: "turn left no *turn* right"."""
+    return tuple(
+        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and 2 < position < len(forms) and tags[position - 2] == "INTJ"
+        if forms[position - 2].lower() in _NO and vocabulary.verbs_beginning_with(form.lower())
+        if tags[position] in ("ADV", "ADP", "DET", "PRON", "PROPN", "ADJ")
+    )
+
+
+def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun: "count all and
+    *report* to me"."""
+    return tuple(
+        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and 2 < position < len(forms) - 1 and forms[position - 2].lower() == "and"
+        if form.islower() and vocabulary.verbs_beginning_with(form)
+        if forms[position].lower() == "to" and tags[position + 1] == "PRON"
+    )
+
+
+def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag "no one" behind a verb as a noun without anything: "tell *no one* the secret"."""
+    return tuple(
+        retag
+        for position in range(2, len(forms))
+        if forms[position - 1].lower() == "no" and forms[position].lower() == "one"
+        if tags[position - 1] == "INTJ" and tags[position - 2] == "VERB"
+        for retag in (Retag(position, "DET", "DT"), Retag(position + 1, "NOUN", "NN", "Number=Sing"))
+    )
+
+
+def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a side at the front as an adverb that the tagger took for a verb: "*left*, not right" has nobody who left."""
+    is_side = bool(forms) and forms[0].lower() in _SIDES and tags[0] == "VERB"
+    return (Retag(1, "ADV", "RB"),) if is_side and (len(forms) == 1 or tags[1] == "PUNCT") else ()
+
+
+def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a number behind an article and an adjective as a noun: "give me a low *five*"."""
+    return tuple(
+        Retag(position, "NOUN", "NN", "Number=Sing")
+        for position, tag in enumerate(tags, start=1)
+        if tag == "NUM" and position > 2 and tags[position - 2] == "ADJ" and forms[position - 3].lower() == "a"
+        if position == len(tags) or tags[position] in ("PUNCT", "INTJ", "CCONJ")
+    )
+
+
+def signs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag signs before a number as adverbs: "turn right *minus minus* 4 turns" goes beyond no number."""
+    found: Tuple[Retag, ...] = ()
+    is_before_number = False
+    for position in range(len(forms), 0, -1):
+        is_sign = is_before_number and forms[position - 1].lower() in SIGNS
+        if is_sign and tags[position - 1] != "ADV":
+            found = (Retag(position, "ADV", "RB"), *found)
+        is_before_number = is_sign or tags[position - 1] == "NUM"
+    return found
 
 
 def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:

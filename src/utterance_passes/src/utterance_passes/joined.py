@@ -1,0 +1,166 @@
+"""Corrects how a parser joins verbs and phrases that stand side by side: conditions, words to be said, lists."""
+
+from typing import Optional
+
+from utterance_passes.clauses import has_case
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import NotATree, TreeEdit
+from utterance_passes.vocabulary import Speech, Vocabulary
+from word_classes import word_class
+
+_BACK = word_class("way_adverbs")
+_CONDITIONS = word_class("conditions")
+_HERE = word_class("here_and_there")
+_NOT = word_class("not")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_SPEAKERS = word_class("speaker_subjects")
+
+
+def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a condition of a clause that is joined to the command: "bring me the cup, *but only if it is clean*"."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        governor = tree.word(clause.head) if clause.head else clause
+        # "If it is clean and if it is empty" are two conditions.
+        if clause.deprel in ("conj", "parataxis") and _mark(tree, clause) and not _mark(tree, governor):
+            is_command = governor.upos == "VERB" and governor.index < clause.index
+            if is_command and any(child.deprel.startswith("nsubj") for child in tree.children(clause.index)):
+                edit.relabel(clause.index, "advcl")
+    return edit.tree()
+
+
+def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
+    marks = [child for child in tree.children(clause.index) if child.deprel in ("mark", "advmod")]
+    return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
+
+
+def with_particles_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a particle before a conjunction to its verb: "stand *by* until somebody comes"."""
+    edit = TreeEdit(tree)
+    for verb, particle, mark in zip(tree.words, tree.words[1:], tree.words[2:]):
+        are_marks = particle.deprel == mark.deprel == "mark" and particle.head == mark.head
+        is_particle = particle.upos == "ADP" and particle.form.lower() not in _CONDITIONS
+        if are_marks and is_particle and verb.upos == "VERB":
+            edit.rehang(particle.index, verb.index, "compound:prt")
+    return edit.tree()
+
+
+def with_words_said(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make what somebody says the object of saying: "wave until I say *stop*" has no command "stop"."""
+    edit = TreeEdit(tree)
+    for saying, word in zip(tree.words, tree.words[1:]):
+        is_said = (
+            saying.deprel == "advcl" and saying.head == word.index and word.deprel in ("conj", "parataxis", "xcomp")
+        )
+        if not is_said or vocabulary.speech_of(saying.lemma.lower()) is not Speech.SAID or word.index > len(tree.words):
+            continue
+        if any(child.deprel.startswith("nsubj") for child in tree.children(saying.index)):
+            edit.rehang(saying.index, word.head, "advcl")
+            edit.rehang(word.index, saying.index, "ccomp")
+    try:
+        return edit.tree()
+    except NotATree:
+        return tree
+
+
+def with_phrases_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach the last of three phrases with one preposition to the verb: "go to Bob, to Anna and *to Ben*"."""
+    edit = TreeEdit(tree)
+    for last in tree.words:
+        second = tree.word(last.head) if last.head else last
+        phrase = _phrase_of(tree, last)
+        if last.deprel != "conj" or second.deprel != "obl" or phrase is None:
+            continue
+        said = _preposition(tree, second)
+        before = [child for child in tree.children(second.head) if child.deprel == "obl" and child.index < second.index]
+        if said and _preposition(tree, phrase) == said and any(_preposition(tree, one) == said for one in before):
+            edit.rehang(last.index, second.head)
+    return edit.tree()
+
+
+def _phrase_of(tree: DependencyTree, word: Word) -> Optional[Word]:
+    """Return a word with a preposition, or such a word below "last" or "finally"."""
+    if has_case(tree, word):
+        return word
+    below = [child for child in tree.children(word.index) if child.deprel in ("obl", "nmod") and has_case(tree, child)]
+    return below[0] if len(below) == 1 else None
+
+
+def _preposition(tree: DependencyTree, word: Word) -> str:
+    return " ".join(child.form.lower() for child in tree.children(word.index) if child.deprel == "case")
+
+
+def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "do" before a bare verb its auxiliary: "please *do* shut the door"."""
+    for do, verb in zip(tree.words, tree.words[1:]):
+        is_bare = verb.xpos in ("VB", "VBP") and (verb.head, verb.deprel) == (do.index, "xcomp")
+        if do.lemma.lower() == "do" and do.head == 0 and is_bare:
+            edit = TreeEdit(tree)
+            edit.rehang_children(do.index, verb.index)
+            edit.rehang(verb.index, 0, "root")
+            edit.rehang(do.index, verb.index, "aux")
+            edit.retag(do.index, "AUX")
+            return edit.tree()
+    return tree
+
+
+def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Set a remark apart that no conjunction joins to the command: "guide Bob to the bath, *he is at the sink*"."""
+    edit = TreeEdit(tree)
+    for predicate in tree.words:
+        children = tree.children(predicate.index)
+        first = min((child.index for child in children if child.upos != "PUNCT"), default=predicate.index)
+        is_finite = any(child.deprel == "cop" for child in children) and tree.word(first).deprel == "nsubj"
+        is_behind = predicate.deprel == "advcl" and 0 < predicate.head < first and tree.word(first - 1).form == ","
+        if is_finite and is_behind and not any(child.deprel == "mark" for child in children):
+            edit.relabel(predicate.index, "parataxis")
+    return edit.tree()
+
+
+def with_copulas_at_question_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach "is" behind a question word to it, not to the subject: "who *is* the person at the sink"."""
+    edit = TreeEdit(tree)
+    for asked, copula in zip(tree.words, tree.words[1:]):
+        subject = tree.word(copula.head) if copula.head else copula
+        is_of_subject = copula.deprel == "cop" and (subject.head, subject.deprel) == (asked.index, "nsubj")
+        if is_of_subject and asked.xpos in ("WP", "WRB"):
+            edit.rehang(copula.index, asked.index)
+    return edit.tree()
+
+
+def with_prepositions_of_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "to" before a noun a preposition: "say hello *to Bob* in ten minutes"."""
+    edit = TreeEdit(tree)
+    for to in tree.words:
+        noun = tree.word(to.head) if to.head else to
+        is_mark = to.deprel == "mark" and to.form.lower() == "to" and noun.deprel in ("obl", "nmod")
+        if is_mark and noun.index > to.index and noun.upos in ("NOUN", "PROPN", "PRON"):
+            edit.make_preposition(to.index, noun.index)
+    return edit.tree()
+
+
+def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a place to the object of what the speaker cannot do: "I can't reach the biscuits *on the top shelf*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        children = tree.children(verb.index)
+        is_speaker = any(child.deprel == "nsubj" and child.form.lower() in _SPEAKERS for child in children)
+        is_denied = any(child.xpos == "MD" for child in children) and any(
+            child.form.lower() in _NOT for child in children
+        )
+        objects = [child for child in children if child.deprel == "obj"] if is_speaker and is_denied else []
+        for place in children if len(objects) == 1 else ():
+            is_behind = min(tree.subtree(place.index)) == max(tree.subtree(objects[0].index)) + 1
+            if place.deprel == "obl" and is_behind and _preposition(tree, place) in _PLACE_PREPOSITIONS:
+                edit.rehang(place.index, objects[0].index, "nmod")
+    return edit.tree()
+
+
+def with_places_over_here(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach an adverb of way to "here" or "there" behind it: "pull the cart *over* here" has one place."""
+    edit = TreeEdit(tree)
+    for way, place in zip(tree.words[1:], tree.words[2:]):
+        are_adverbs = way.head == place.head and way.deprel == place.deprel == "advmod"
+        if are_adverbs and way.form.lower() in _BACK and place.form.lower() in _HERE and way.head < way.index - 1:
+            edit.rehang(way.index, place.index)
+    return edit.tree()

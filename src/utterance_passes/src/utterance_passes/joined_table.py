@@ -1,0 +1,116 @@
+"""Lists the passes that correct how the parser joins what stands side by side; ``table`` has the order of all."""
+
+from typing import Tuple
+
+from utterance_passes import joined
+from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.vocabulary import Speech, Verbs
+
+_SAYING = Verbs(frozenset(["say", "wave"]), speech={"say": Speech.SAID})
+
+#: They run before the passes that attach words where they can belong in a command.
+JOINING_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "emphatic_do",
+        'Make "do" before a bare verb its auxiliary.',
+        Example(
+            "do|VERB|0|root shut|VERB|1|xcomp|shut|VB doors|NOUN|2|obj",
+            ("do: root VERB/do -> aux(shut) AUX/do", "shut: xcomp(do) -> root"),
+        ),
+        Stage.FRAMER,
+        joined.with_emphatic_do,
+    ),
+    TreePass(
+        "particles_at_verbs",
+        "Attach a particle before a conjunction to its verb.",
+        Example(
+            "stand|VERB|0|root by|ADP|5|mark until|SCONJ|5|mark Bob|PROPN|5|nsubj comes|VERB|1|advcl|come|VBZ",
+            ("by: mark(comes) -> compound:prt(stand)",),
+        ),
+        Stage.FRAMER,
+        joined.with_particles_at_verbs,
+    ),
+    TreePass(
+        "conditions_joined",
+        "Make a condition of a clause that is joined to the command.",
+        Example(
+            "bring|VERB|0|root cups|NOUN|1|obj but|CCONJ|6|cc if|SCONJ|6|mark it|PRON|6|nsubj rains|VERB|1|conj",
+            ("rains: conj(bring) -> advcl(bring)",),
+        ),
+        Stage.FRAMER,
+        joined.with_conditions_joined,
+    ),
+    TreePass(
+        "remarks_joined",
+        "Set a remark apart that no conjunction joins to the command.",
+        Example(
+            "guide|VERB|0|root Bob|PROPN|1|obj ,|PUNCT|6|punct he|PRON|6|nsubj is|AUX|6|cop|be here|ADV|1|advcl",
+            ("here: advcl(guide) -> parataxis(guide)",),
+        ),
+        Stage.FRAMER,
+        joined.with_remarks_joined,
+    ),
+    TreePass(
+        "copulas_at_question_words",
+        'Attach "is" behind a question word to it, not to the subject.',
+        Example(
+            "who|PRON|0|root|who|WP is|AUX|3|cop|be Bob|PROPN|1|nsubj",
+            ("is: cop(Bob) -> cop(who)",),
+        ),
+        Stage.FRAMER,
+        joined.with_copulas_at_question_words,
+    ),
+    TreePass(
+        "prepositions_of_nouns",
+        'Make "to" before a noun a preposition.',
+        Example(
+            "say|VERB|0|root hello|INTJ|1|obj to|PART|4|mark Bob|PROPN|1|obl",
+            ("to: mark(Bob) PART/to -> case(Bob) ADP/to",),
+        ),
+        Stage.FRAMER,
+        joined.with_prepositions_of_nouns,
+    ),
+    TreePass(
+        "words_said",
+        "Make what somebody says the object of saying.",
+        Example(
+            "wave|VERB|0|root until|SCONJ|4|mark I|PRON|4|nsubj say|VERB|5|advcl stop|VERB|1|conj",
+            ("say: advcl(stop) -> advcl(wave)", "stop: conj(wave) -> ccomp(say)"),
+            _SAYING,
+        ),
+        Stage.FRAMER,
+        joined.with_words_said,
+    ),
+    TreePass(
+        "phrases_in_a_row",
+        "Attach the last of three phrases with one preposition to the verb.",
+        Example(
+            "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl to|ADP|5|case Anna|PROPN|1|obl "
+            "to|ADP|7|case Ben|PROPN|5|conj",
+            ("Ben: conj(Anna) -> conj(go)",),
+        ),
+        Stage.FRAMER,
+        joined.with_phrases_in_a_row,
+    ),
+    TreePass(
+        "places_of_what_fails",
+        "Attach a place to the object of what the speaker cannot do.",
+        Example(
+            "I|PRON|4|nsubj can|AUX|4|aux|can|MD not|PART|4|advmod reach|VERB|0|root cups|NOUN|4|obj on|ADP|7|case "
+            "shelves|NOUN|4|obl",
+            ("shelves: obl(reach) -> nmod(cups)",),
+        ),
+        Stage.FRAMER,
+        joined.with_places_of_what_fails,
+    ),
+    TreePass(
+        "places_over_here",
+        'Attach an adverb of way to "here" or "there" behind it.',
+        Example(
+            "pull|VERB|0|root carts|NOUN|1|obj over|ADV|1|advmod here|ADV|1|advmod",
+            ("over: advmod(pull) -> advmod(here)",),
+        ),
+        Stage.FRAMER,
+        joined.with_places_over_here,
+    ),
+)
