@@ -156,6 +156,21 @@ def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> Dependency
     return edit.tree()
 
 
+def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a place behind what there is to the verb: "there is a radio *next to the bed*" says where it is."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        children = tree.children(verb.index)
+        things = [child for child in children if child.deprel == "nsubj" and child.index > verb.index]
+        is_existence = verb.lemma == "be" and any(child.deprel == "expl" for child in children)
+        for place in tree.children(things[0].index) if is_existence and len(things) == 1 else ():
+            first = _preposition(tree, place).split(" ")[0]
+            is_last = max(tree.subtree(place.index)) == max(tree.subtree(things[0].index))
+            if place.deprel == "nmod" and is_last and first in _PLACE_PREPOSITIONS and first != "of":
+                edit.rehang(place.index, verb.index, "obl")
+    return edit.tree()
+
+
 def with_places_over_here(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach an adverb of way to "here" or "there" behind it: "pull the cart *over* here" has one place."""
     edit = TreeEdit(tree)

@@ -104,6 +104,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_places_of_what_fails,
     ),
     TreePass(
+        "places_of_what_there_is",
+        "Attach a place behind what there is to the verb.",
+        Example(
+            "there|PRON|2|expl is|VERB|0|root|be tea|NOUN|2|nsubj on|ADP|5|case tables|NOUN|3|nmod",
+            ("tables: nmod(tea) -> obl(is)",),
+        ),
+        Stage.FRAMER,
+        joined.with_places_of_what_there_is,
+    ),
+    TreePass(
         "places_over_here",
         'Attach an adverb of way to "here" or "there" behind it.',
         Example(
