@@ -21,6 +21,7 @@ from word_classes.shipped import word_classes
 #: Shorter words have too many neighbours.
 _SHORTEST = 4
 _WORD = re.compile(r"(?<![\w'-])[A-Za-z]{3,}(?![\w'-])")
+_NEXT_WORD = re.compile(r"\s+([A-Za-z]+)")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
 #: Row and column of each letter on a keyboard; each row stands to the right of the one above it.
 _KEYS = {
@@ -35,6 +36,8 @@ _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
 #: Behind these prepositions stands no verb: "look at marco" has no "march".
 _BEFORE_NAMES = (word_class("directional_prepositions") | word_class("place_prepositions")) - {"to"}
+#: "Nevr turn left": what may forbid the deed is no name of the robot.
+_NEGATIONS = {**{word: word for word in word_class("negations") if len(word) >= _SHORTEST}, "dont": "don't"}
 _BEFORE_VERBS = word_class("leading_verbs") | word_class("aspectual_verbs") | word_class("verbs_with_verbs")
 #: Words of three letters in which two often change places: "teh".
 _SHORT = frozenset(
@@ -70,7 +73,13 @@ def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
         before = spelling.text[: match.start()]
         if match.group().lower() in _SAYING or before.count('"') % 2:
             break
-        meant = _meant(match.group(), re.findall(r"\w+", before.lower()), vocabulary)
+        behind = _NEXT_WORD.match(spelling.text, match.end())
+        meant = _meant(
+            match.group(),
+            re.findall(r"\w+", before.lower()),
+            behind.group(1).lower() if behind else "",
+            vocabulary,
+        )
         if meant is None and match.end() == end:
             meant = _cut_off(match.group(), vocabulary)
         if meant is None:
@@ -83,18 +92,22 @@ def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
     return Spelling(text + spelling.text[position:], (*origins, *spelling.origins[position:]))
 
 
-def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]:
+def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> Optional[str]:
     """Return the word that was meant; None if the word stands for itself, or if it is not certain what was meant.
 
     Args:
         word: the word
         before: the words before it, in lower case
+        behind: the word behind it, in lower case; empty if a mark or nothing follows
         vocabulary: what the robot knows
     """
     said = word.lower()
     known = vocabulary.spellings | _known_words()
     if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
         return None
+    negation = next((near for near in _near(said) if near in _NEGATIONS), None)
+    if negation is not None and behind in vocabulary.words:
+        return _NEGATIONS[negation]
     drawn_out = _without_drawn_out_letters(said, known | vocabulary.names)
     if drawn_out:
         return drawn_out

@@ -68,6 +68,10 @@ MARCHING = Verbs(frozenset(["turn", "march", "give", "go"]), spellings=frozenset
         ("gice it", "give it"),  # the key beside it was hit
         ("gvie it", "give it"),  # two changed places
         ("giv it", None),
+        ("nevr turn left", "never turn left"),  # nobody of that name is told to turn left
+        ("please dnt go", "please don't go"),
+        ("Nevra, turn left", None),
+        ("nevr", None),
     ],
 )
 def test_a_typo_is_no_name(said: str, written: Optional[str]) -> None:
