@@ -19,8 +19,9 @@ _MOST_LANDMARKS = 300
 _POSE_AND_TWIST_BYTES = (7 + 36 + 6 + 36) * 8
 #: The pose of a PoseStamped: its end.
 _POSE_BYTES = 7 * 8
-#: After a frequent message its connection rests. What has come meanwhile is read at once, and the last of it is kept.
-_REST_S = 0.05
+#: After a frequent message its connection rests, longer while the messages say the same. What has come meanwhile is
+#: read at once, and the last of it is kept.
+_REST_S, _LONG_REST_S = 0.05, 0.2
 
 
 class GroundTap:
@@ -60,6 +61,7 @@ class GroundTap:
         self._last_odometry: Optional[rospy.AnyMsg] = None
         self._last_person: Optional[rospy.AnyMsg] = None
         self._seen = self._seen_person = b""
+        self._heard = self._heard_person = b""
         self._ground = GroundView()
         self._maps = 0
         self._places: Tuple[LandmarkView, ...] = ()
@@ -98,11 +100,11 @@ class GroundTap:
 
     def _on_odometry(self, message: rospy.AnyMsg) -> None:
         self._last_odometry = message
-        time.sleep(_REST_S)
+        self._heard = _rest(message._buff[-_POSE_AND_TWIST_BYTES:], self._heard)
 
     def _on_person(self, message: rospy.AnyMsg) -> None:
         self._last_person = message
-        time.sleep(_REST_S)
+        self._heard_person = _rest(message._buff[-_POSE_BYTES:], self._heard_person)
 
     def look(self) -> None:
         """Show where the robot and the person are now."""
@@ -163,3 +165,9 @@ class GroundTap:
         )
         if self._board.show("ground", self._ground):
             self._on_change()
+
+
+def _rest(said: bytes, before: bytes) -> bytes:
+    """Let a connection rest after what was said, given what was said before; returns the former."""
+    time.sleep(_LONG_REST_S if said == before else _REST_S)
+    return said
