@@ -395,7 +395,7 @@ VERBS_OF_IT: FrozenSet[str] = frozenset("is was will might could can does has lo
 LASTS: FrozenSet[str] = frozenset("until till while unless before or".split())
 TAIL_WORDS: Mapping[Tail, FrozenSet[str]] = {Tail.UNTIL: LASTS, Tail.LASTING: LASTS | {"for"}}
 
-#: Verbs of speech: "say stop" quotes a cry.
+#: With a verb of speech, "say stop" quotes a cry.
 SAYING: FrozenSet[str] = frozenset(
     (
         "say says saying said tell tells telling told ask asks asked shout shouts shouted yell yells cry call "
