@@ -47,6 +47,17 @@ def halved(node: object) -> object:
     return node
 
 
+def without_folders(settings: Dict[str, object]) -> Dict[str, object]:
+    """Return the settings of a training with the names of its files only: where they lay says nothing to others."""
+
+    def name_of(value: object) -> object:
+        if not isinstance(value, str) or not value.startswith("/"):
+            return value
+        return ";".join(Path(path).name for path in value.split(";"))
+
+    return {key: name_of(value) for key, value in settings.items()}
+
+
 def resources(md5s: Dict[str, str]) -> Dict[str, object]:
     """Return Stanza's index of a model folder for one English package; ``md5s`` by processor."""
     processors: Dict[str, object] = {}
@@ -80,6 +91,7 @@ def pack(trained: Path, target: Path, versions: Dict[str, str]) -> List[Packed]:
         if small:
             checkpoint = torch.load(str(path), map_location="cpu", weights_only=True)
             checkpoint.pop("optimizer_state_dict", None)
+            checkpoint["config"] = without_folders(checkpoint["config"])
             torch.save(halved(checkpoint), str(out), _use_new_zipfile_serialization=True)
         else:
             shutil.copyfile(str(path), str(out))

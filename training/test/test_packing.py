@@ -49,6 +49,26 @@ def test_weights_are_halved_but_not_the_vectors(trained, tmp_path):
     assert vectors["model"]["weight"].dtype == torch.float32
 
 
+def test_no_folder_of_the_training_is_packed(trained, tmp_path):
+    for name in NAMES[1:]:
+        checkpoint = torch.load(str(trained / name), weights_only=True)
+        checkpoint["config"].update(
+            train_file=f"{trained}/a.conllu;{trained}/b.conllu", save_dir=str(trained), shorthand="en_x", charlm=None
+        )
+        torch.save(checkpoint, str(trained / name))
+    packed = packing.pack(trained, tmp_path / "out", {})
+    for entry in packed:
+        assert str(tmp_path).encode() not in (tmp_path / "out" / entry.path).read_bytes()
+    config = torch.load(str(tmp_path / "out/en/pos/command.pt"), weights_only=True)["config"]
+    assert config == {
+        "size": 4,
+        "train_file": "a.conllu;b.conllu",
+        "save_dir": "models",
+        "shorthand": "en_x",
+        "charlm": None,
+    }
+
+
 def test_halving_keeps_all_else():
     given = {"a": [torch.ones(1), 3, "x"], "b": (torch.ones(1, dtype=torch.int64), None)}
     made = packing.halved(given)
