@@ -8,7 +8,7 @@ from typing import Dict, Tuple
 
 from . import words
 from .motion import Form
-from .sentences import Sentences, plain_frames
+from .sentences import Sentences
 from .trees import Node
 
 _HAPPENINGS = "leave leave arrive return come ring move stop start appear call wave speak fall open close".split()
@@ -19,13 +19,8 @@ _WAVERS = "raise wave wear hold carry point sit stand lie wait read watch clean"
 class Elaborate(Sentences):
     """Builds plain utterances and, as often, utterances with more clauses."""
 
-    def utterance(self) -> Node:
-        frames: Dict[str, float] = dict(_FRAMES)
-        if self.maybe(0.5):
-            frames = plain_frames()
-        drawn = self.chooser.choices(list(frames), list(frames.values()))[0]
-        built: Node = getattr(self, drawn)()
-        return built
+    def utterance_frames(self) -> Dict[str, float]:
+        return super().utterance_frames() if self.maybe(0.5) else dict(_FRAMES)
 
     # -- conditions -----------------------------------------------------------------------------
 

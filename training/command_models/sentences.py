@@ -31,10 +31,14 @@ class Sentences:
         return self.chooser.choice(options)
 
     def utterance(self) -> Node:
-        frames = plain_frames()
+        frames = self.utterance_frames()
         drawn = self.chooser.choices(list(frames), list(frames.values()))[0]
         built: Node = getattr(self, drawn)()
         return built
+
+    def utterance_frames(self) -> Dict[str, float]:
+        """The frames of which one is drawn, with how often each is."""
+        return dict(_FRAMES)
 
     # -- pieces ---------------------------------------------------------------------------------
 
@@ -435,8 +439,3 @@ _FRAMES: Tuple[Tuple[str, float], ...] = (
 def frame_names() -> Tuple[str, ...]:
     """Names of all utterance frames."""
     return tuple(frame for frame, _ in _FRAMES)
-
-
-def plain_frames() -> Dict[str, float]:
-    """The utterance frames of most commands, with how often each is drawn."""
-    return dict(_FRAMES)

@@ -6,7 +6,7 @@ from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
 from utterance_passes.clauses import has_case
 from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import NotATree, TreeEdit
+from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -159,10 +159,7 @@ def with_speeds_together(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if is_speed and is_counted and length.head not in (per.index, time.index):
             edit.rehang(time.index, length.index, "nmod")
             edit.rehang(per.index, time.index)
-    try:
-        return edit.tree()
-    except NotATree:
-        return tree
+    return edit.tree()
 
 
 def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -4,7 +4,7 @@ from typing import Optional
 
 from utterance_passes.clauses import has_case
 from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import NotATree, TreeEdit
+from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
@@ -49,18 +49,14 @@ def with_words_said(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
     """Make what somebody says the object of saying: "wave until I say *stop*" has no command "stop"."""
     edit = TreeEdit(tree)
     for saying, word in zip(tree.words, tree.words[1:]):
-        is_said = (
-            saying.deprel == "advcl" and saying.head == word.index and word.deprel in ("conj", "parataxis", "xcomp")
-        )
-        if not is_said or vocabulary.speech_of(saying.lemma.lower()) is not Speech.SAID or word.index > len(tree.words):
+        is_joined = word.deprel in ("conj", "parataxis", "xcomp")
+        is_said = is_joined and saying.deprel == "advcl" and saying.head == word.index
+        if not is_said or vocabulary.speech_of(saying.lemma.lower()) is not Speech.SAID:
             continue
         if any(child.deprel.startswith("nsubj") for child in tree.children(saying.index)):
             edit.rehang(saying.index, word.head, "advcl")
             edit.rehang(word.index, saying.index, "ccomp")
-    try:
-        return edit.tree()
-    except NotATree:
-        return tree
+    return edit.tree()
 
 
 def with_phrases_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

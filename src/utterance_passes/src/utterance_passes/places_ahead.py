@@ -1,7 +1,7 @@
 """Joins adverbs of place to what they say the place of: "ahead of", "the chair closest to the door"."""
 
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import NotATree, TreeEdit
+from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -48,7 +48,4 @@ def with_superlatives_at_nouns(tree: DependencyTree, _: Vocabulary) -> Dependenc
         edit.retag(word.index, "ADJ", "JJS")
         edit.rehang(word.index, noun.index, "amod")
         edit.rehang(place.index, word.index, "obl")
-    try:
-        return edit.tree()
-    except NotATree:
-        return tree
+    return edit.tree()

@@ -105,7 +105,8 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
     known = vocabulary.spellings | _known_words()
     if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
         return None
-    negation = next((near for near in _near(said) if near in _NEGATIONS), None)
+    nears = frozenset(_near(said))
+    negation = next(iter(sorted(nears & _NEGATIONS.keys())), None)
     if negation is not None and behind in vocabulary.words:
         return _NEGATIONS[negation]
     drawn_out = _without_drawn_out_letters(said, known | vocabulary.names)
@@ -115,7 +116,7 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
     meant_words = vocabulary.spellings | vocabulary.names | frozenset(unit_words())
     if len(said) < _SHORTEST:
         return _with_changed_places(said) if word.islower() else None
-    found = sorted({near for near in _near(said) if near in meant_words})
+    found = sorted(nears & meant_words)
     if before[-1:] and before[-1] in _BEFORE_NOUNS:
         nouns = [near for near in found if near not in vocabulary.words]
         found = [near for near in nouns if parts_of_speech(near) & {NOUN, ADJECTIVE}]
@@ -132,7 +133,7 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
         found = [near for near in found if near[0] == said[0] or sorted(near) == sorted(said)]
     found = [near for near in found if sorted(near) == sorted(said)] or found
     if len({_unit_name(near) for near in found}) != 1 or (
-        set(found) <= vocabulary.words and _may_be_another_verb(said, found[0], is_first=not before)
+        set(found) <= vocabulary.words and _may_be_another_verb(said, found[0], nears, is_first=not before)
     ):
         return None
     meant = max(found, key=lambda near: (near[-1] == said[-1], _beginning(near, said)))
@@ -142,7 +143,7 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
     return meant.capitalize() if not before and meant in vocabulary.words else None
 
 
-def _may_be_another_verb(said: str, meant: str, *, is_first: bool) -> bool:
+def _may_be_another_verb(said: str, meant: str, nears: AbstractSet[str], *, is_first: bool) -> bool:
     """Whether a short word with another letter is as near to a verb that the robot does not know.
 
     "Tfil" is neither "tail" nor "toil" for certain; but "taje" is "take", whose key stands beside the one that was hit.
@@ -150,6 +151,7 @@ def _may_be_another_verb(said: str, meant: str, *, is_first: bool) -> bool:
     Args:
         said: the word
         meant: the verb of the lexicon
+        nears: what is one letter away
         is_first: whether it begins the sentence, and so has its first letter right
     """
     if len(said) != _SHORTEST or len(meant) != len(said) or sorted(meant) == sorted(said):
@@ -158,7 +160,7 @@ def _may_be_another_verb(said: str, meant: str, *, is_first: bool) -> bool:
         return False
     return any(
         VERB in parts_of_speech(near)
-        for near in _near(said)
+        for near in nears
         if len(near) == len(said) and near != meant and (near[0] == said[0] or not is_first)
     )
 
