@@ -39,7 +39,11 @@ def command_verb(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabula
     position = command_verb_position(forms, vocabulary)
     if position is None or tags[position - 1] == "VERB":
         return ()
-    return (Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin"),)
+    return (_imperative(position),)
+
+
+def _imperative(position: int) -> Retag:
+    return Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
 
 
 def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
@@ -47,7 +51,7 @@ def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: V
     if command_verb_position(forms, vocabulary) is None:
         return ()
     return tuple(
-        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "NOUN" and 2 < position < len(forms) and forms[position - 2] == ","
         if form.islower() and vocabulary.verbs_beginning_with(form)
@@ -59,7 +63,7 @@ def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: V
 def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a verb of the lexicon behind "no" that the tagger took for a noun: "turn left no *turn* right"."""
     return tuple(
-        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "NOUN" and 2 < position < len(forms) and tags[position - 2] == "INTJ"
         if forms[position - 2].lower() in _NO and vocabulary.verbs_beginning_with(form.lower())
@@ -71,7 +75,7 @@ def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Voca
     """Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun: "count all and
     *report* to me"."""
     return tuple(
-        Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "NOUN" and 2 < position < len(forms) - 1 and forms[position - 2].lower() == "and"
         if form.islower() and vocabulary.verbs_beginning_with(form)
