@@ -249,21 +249,30 @@ class CriesTest(unittest.TestCase):
 
     def test_forget_that_takes_back_the_order_that_was_given(self) -> None:
         order = "Whenever I say banana, turn left 5 degrees."
+        said = ("Forget that.", "What are you waiting for?", "Go to the garage.")
         stop_server = process_of("stop_server")
-        for is_held_up in (False, True, True, True):
+        # The stop server hears it with all others, or when one, two or three sentences have been answered.
+        for count in (0, 1, 2, 3, 3):
             given = self.say(order)
             self.assertEqual((given.outcome, given.stage), (Reply.DONE, "standing_orders"), given.sentence)
             # A person needs longer to answer than the stop server to hear of the order; this test would not.
             time.sleep(1.0)
             since = len(self.replies)
-            if is_held_up:
+            if count:
                 os.kill(stop_server, signal.SIGSTOP)
+            replies = []
             try:
-                self.assertEqual(self.say("Forget that.").sentence, f'I forget "{order[:-1]}".')
+                for position, text in enumerate(said, start=1):
+                    replies.append(self.say(text))
+                    if position == count:
+                        os.kill(stop_server, signal.SIGCONT)
             finally:
                 os.kill(stop_server, signal.SIGCONT)
+            forgotten, waited_for, refused = replies
+            self.assertEqual(forgotten.sentence, f'I forget "{order[:-1]}".')
             # Other tests in the same graph give orders, too.
-            self.assertNotIn("banana", self.say("What are you waiting for?").sentence)
+            self.assertNotIn("banana", waited_for.sentence)
+            self.assertEqual(refused.code, "NO_SERVER")
             time.sleep(0.5)
             self.assertEqual(len(self.replies_to("Forget that.", since)), 1)
         # At any other time it is a cry.

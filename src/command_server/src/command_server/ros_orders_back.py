@@ -1,5 +1,10 @@
 """Whether an utterance takes back the standing order to which the last reply was given."""
 
+import time
+from collections import deque
+from dataclasses import dataclass
+from typing import Callable, Deque
+
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply
 
@@ -8,8 +13,10 @@ from command_server.open_commands import OWN_STAGE, STOP_STAGE
 from command_server.orders_back import may_take_order_back, takes_order_back
 from command_server.spoken_words import words_of
 
-#: What the command server has heard is what another node hears now, if it is not older, seconds.
+#: What the command server told of an utterance is true of the one that is heard here, if it was not told longer ago,
+#: seconds.
 _SAME_S = 2.0
+_MOST_TOLD = 100
 
 
 def takes_back(text: str, last: Reply, *, is_free: bool) -> bool:
@@ -20,30 +27,67 @@ def takes_back(text: str, last: Reply, *, is_free: bool) -> bool:
         last: the last reply
         is_free: whether no command is open
     """
-    return takes_order_back(text, is_free=is_free, stage=last.stage, outcome=last.outcome, age_s=_age_s(last.stamp))
+    age_s = (rospy.Time.now() - last.stamp).to_sec()
+    return takes_order_back(text, is_free=is_free, stage=last.stage, outcome=last.outcome, age_s=age_s)
 
 
-def is_taken_back(text: str, status: CommandStatus) -> bool:
-    """Whether the command server takes an utterance for one that takes an order back, by the status that it tells.
+def may_be_order_taken_back(command: Command) -> bool:
+    """Whether a command may be an utterance that takes an order back, instead of a cry; what follows a cry is none."""
+    return may_take_order_back(command.text) and not is_follow_up(command.id)
 
-    It may be ahead: the status may show the utterance as a command, open or answered, and a cry is none.
 
-    Args:
-        text: as it was said, or the part that is for this robot
-        status: the last one
+@dataclass(frozen=True)
+class _Told:
+    command_id: str
+    words: str
+    told_s: float
+
+
+class OrdersTakenBack:
+    """Follows the command server, which decides what "forget that" means, for a node that hears the same words.
+
+    The command server may be behind this node: then its status is the one by which it will decide. It may be ahead, by
+    one command or by several: then it has told of the utterance as a command, open or answered, and a cry is none. The
+    messages of two topics come in any order. Any number of threads may call.
     """
-    last = status.last_reply
-    if status.active:
-        return may_take_order_back(text) and len(status.active) == 1 and _is_said_now(text, status.active[0])
-    if last.stage not in (STOP_STAGE, OWN_STAGE) and may_take_order_back(text) and _is_said_now(text, last.command):
-        return True
-    return takes_back(text, last, is_free=True)
 
+    def __init__(self, *, now: Callable[[], float] = time.monotonic) -> None:
+        """Start with nothing told.
 
-def _is_said_now(text: str, command: Command) -> bool:
-    is_same = words_of(command.text) == words_of(text) and not is_follow_up(command.id)
-    return is_same and abs(_age_s(command.stamp)) <= _SAME_S
+        Args:
+            now: monotonic clock, seconds
+        """
+        self._now = now
+        self._status = CommandStatus()
+        self._told: Deque[_Told] = deque(maxlen=_MOST_TOLD)
 
+    def hear_status(self, status: CommandStatus) -> None:
+        """The command server tells which commands are open, and its last reply."""
+        for command in status.active:
+            self._note(command)
+        self.hear_reply(status.last_reply)
+        self._status = status
 
-def _age_s(stamp: rospy.Time) -> float:
-    return (rospy.Time.now() - stamp).to_sec()
+    def hear_reply(self, reply: Reply) -> None:
+        """The command server, or a node that stops the robot, has replied."""
+        if reply.stage not in (STOP_STAGE, OWN_STAGE):
+            self._note(reply.command)
+
+    def is_meant(self, text: str) -> bool:
+        """Whether the command server takes an utterance that is heard now for one that takes an order back.
+
+        Args:
+            text: as it was said, or the part that is for this robot
+        """
+        if not may_take_order_back(text):
+            return False
+        said = words_of(text)
+        since_s = self._now() - _SAME_S
+        if any(told.words == said and told.told_s >= since_s for told in tuple(self._told)):
+            return True
+        status = self._status
+        return takes_back(text, status.last_reply, is_free=not status.active)
+
+    def _note(self, command: Command) -> None:
+        if may_be_order_taken_back(command) and all(told.command_id != command.id for told in tuple(self._told)):
+            self._told.append(_Told(command.id, words_of(command.text), self._now()))

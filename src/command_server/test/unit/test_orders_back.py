@@ -8,7 +8,7 @@ from roboframenet_msgs.msg import Command, CommandStatus, Reply
 
 from command_server.open_commands import Outcome
 from command_server.orders_back import FORGET_ALL, order_words, said_behind, takes_order_back
-from command_server.ros_orders_back import is_taken_back
+from command_server.ros_orders_back import OrdersTakenBack
 from command_server.stop_words import find_cry
 
 GIVEN = {"is_free": True, "stage": "standing_orders", "outcome": Outcome.DONE, "age_s": 2.0}
@@ -88,6 +88,8 @@ def test_what_is_done_behind_the_stop_is_no_stop():
 
 SAID = CommandStatus(active=[Command(id="text-1", text="Forget that.", stamp=rospy.Time(99))])
 ANSWERED = CommandStatus(last_reply=Reply(command=SAID.active[0], stage="question_answering", stamp=rospy.Time(99.5)))
+NEXT_SAID = CommandStatus(active=[Command(id="text-2", text="What do you wait for?", stamp=rospy.Time(99.6))])
+NEXT_ANSWERED = CommandStatus(last_reply=Reply(command=NEXT_SAID.active[0], stage="question_answering"))
 
 
 @pytest.fixture(autouse=True)
@@ -95,10 +97,30 @@ def _now(monkeypatch):
     monkeypatch.setattr(rospy.Time, "now", lambda: rospy.Time(100))
 
 
-@pytest.mark.parametrize("status", [SAID, ANSWERED], ids=["open", "answered"])
+def _is_meant(text, *statuses, told_s=100.0):
+    now_s = [told_s]
+    orders_back = OrdersTakenBack(now=lambda: now_s[0])
+    for status in statuses:
+        orders_back.hear_status(status)
+    now_s[0] = 100.0
+    return orders_back.is_meant(text)
+
+
+@pytest.mark.parametrize("statuses", [[SAID], [ANSWERED], [SAID, NEXT_SAID], [ANSWERED, NEXT_SAID, NEXT_ANSWERED]])
 @pytest.mark.parametrize("text", ["Forget that.", "forget that"])
-def test_who_hears_it_after_the_command_server_takes_it_for_no_cry(text, status):
-    assert is_taken_back(text, status)
+def test_who_hears_it_after_the_command_server_takes_it_for_no_cry(text, statuses):
+    assert _is_meant(text, *statuses)
+
+
+def test_who_hears_the_reply_first_takes_it_for_no_cry():
+    orders_back = OrdersTakenBack()
+    orders_back.hear_status(NEXT_SAID)
+    orders_back.hear_reply(ANSWERED.last_reply)
+    assert orders_back.is_meant("Forget that.")
+
+
+def test_what_was_told_long_ago_is_of_another_utterance():
+    assert not _is_meant("Forget that.", SAID, NEXT_SAID, told_s=90.0)
 
 
 def _changed(status, **changes):
@@ -116,22 +138,19 @@ def _changed(status, **changes):
     ("text", "status"),
     [
         ("Cancel that.", SAID),
-        ("Forget that.", _changed(SAID, active__0__stamp=rospy.Time(90))),
         ("Forget that.", _changed(SAID, active__0__id="text-1-then")),
-        ("Forget that.", _changed(SAID, active=[*SAID.active, Command(id="text-2", text="Go home.")])),
         ("Forget that.", _changed(ANSWERED, last_reply__stage="stop_server")),
         ("Forget that.", _changed(ANSWERED, last_reply__stage="command_server")),
-        ("Forget that.", _changed(ANSWERED, last_reply__command__stamp=rospy.Time(90))),
-        ("Forget that.", _changed(ANSWERED, active=[Command(id="text-2", text="Go home.")])),
+        ("Forget that.", NEXT_SAID),
         ("Stop.", _changed(SAID, active__0__text="Stop.")),
         ("Stop.", _changed(ANSWERED, last_reply__command__text="Stop.")),
     ],
 )
 def test_who_hears_it_alone_stops(text, status):
-    assert not is_taken_back(text, status)
+    assert not _is_meant(text, status)
 
 
 def test_order_that_was_just_given_is_taken_back():
     given = CommandStatus(last_reply=Reply(stage="standing_orders", outcome=Reply.DONE, stamp=rospy.Time(98)))
-    assert is_taken_back("Forget that.", given)
-    assert not is_taken_back("Stop.", given)
+    assert _is_meant("Forget that.", given, told_s=90.0)
+    assert not _is_meant("Stop.", given)

@@ -21,7 +21,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Empty, String
 
-from command_server.ros_orders_back import is_taken_back
+from command_server.ros_orders_back import OrdersTakenBack, may_be_order_taken_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -88,7 +88,7 @@ class StopServerNode:
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
         self._unheard = UnheardTexts()
-        self._status = CommandStatus()
+        self._orders_back = OrdersTakenBack()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
         self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
@@ -101,7 +101,7 @@ class StopServerNode:
         self._brake.start()
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
-            rospy.Subscriber("status", CommandStatus, self._hear_status),
+            rospy.Subscriber("status", CommandStatus, self._orders_back.hear_status),
             rospy.Subscriber("text", String, lambda message: self._hear(message.data, "")),
             rospy.Subscriber(
                 "command/goal",
@@ -131,18 +131,15 @@ class StopServerNode:
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
     def _hear(self, text: str, command_id: str) -> None:
-        if is_stop(text) and not is_taken_back(text, self._status):
+        if is_stop(text) and not self._orders_back.is_meant(text):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text)
 
-    def _hear_status(self, status: CommandStatus) -> None:
-        self._status = status
-
     def _hear_shared(self, text: str) -> None:
         """Something was said to all robots: it may stop this one. Its reply is the business of others."""
-        if stops(text, self._robot, self._names, is_taken_back=lambda part: is_taken_back(part, self._status)):
+        if stops(text, self._robot, self._names, is_taken_back=self._orders_back.is_meant):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), is_shared=True))
 
     def _hear_fleet(self, fleet: Fleet) -> None:
@@ -185,9 +182,11 @@ class StopServerNode:
         self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
 
     def _hear_reply(self, reply: Reply) -> None:
-        if reply._connection_header["callerid"] != rospy.get_name():
-            self._hear_taken(reply.command.text)
-        if reply.stage == STAGE and reply._connection_header["callerid"] != rospy.get_name():
+        if reply._connection_header["callerid"] == rospy.get_name():
+            return
+        self._hear_taken(reply.command.text)
+        self._orders_back.hear_reply(reply)
+        if reply.stage == STAGE or may_be_order_taken_back(reply.command):
             with self._lock:
                 self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
 
@@ -261,7 +260,7 @@ class StopServerNode:
         return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
 
     def _is_answered(self, told: _Told) -> bool:
-        """Whether the command server has replied already, because this node seemed silent."""
+        """Whether the command server has replied already: this node seemed silent, or took an order back for a cry."""
         with self._lock:
             return self._others.take(
                 told.heard.command_id,

@@ -1,4 +1,4 @@
-"""Stops that the command server answered because the stop server hung."""
+"""Cries that the command server answered: the stop server hung, or the cry was none."""
 
 import time
 from collections import deque
