@@ -115,6 +115,12 @@ class SimpleActionState(smach.State):
         self._cancel()
         self._wake.set()
 
+    def is_cancel_on_its_way(self) -> bool:
+        """Whether the goal is cancelled, and its server has not told yet that it knows."""
+        # Without the lock: Ctrl-C interrupts the main thread, which may hold it.
+        handle = self._goal_handle
+        return handle is not None and handle.get_comm_state() == actionlib.CommState.WAITING_FOR_CANCEL_ACK
+
     def _goal_active_cb(self) -> None:
         """Called when the server has accepted the goal."""
 

@@ -56,6 +56,9 @@ class PreemptHandlerTest(unittest.TestCase):
     def test_interrupt_cancels_the_goal_and_ends_the_nested_containers(self):
         self.assertIn("outcome: preempted", self.interrupt("nested_machine.py"))
 
+    def test_cancel_reaches_the_server_before_the_node_goes_down(self):
+        self.assertIn("outcome: preempted", self.interrupt("slow_machine.py"))
+
     def test_states_behind_preempted_run_before_the_node_goes_down(self):
         self.assertIn("outcome: done", self.interrupt("thread_machine.py"))
         self.assertEqual((self.switched, self.told), ([False], ["motors are off"]))
