@@ -23,7 +23,8 @@ _HEARERS = word_class("hearers")
 _ITSELF = frozenset(["yourself"])
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-_PLACING = word_class("placing_prepositions")
+# What is put between two places is put in one.
+_PLACING = word_class("placing_prepositions") - {"between"}
 _QUESTION_WORDS = word_class("question_words")
 _SHARES = frozenset(["percent", "%"])
 _SIDES = word_class("sides")
