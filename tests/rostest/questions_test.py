@@ -43,8 +43,11 @@ class QuestionAnsweringTest(unittest.TestCase):
     def test_2_what_is_known_is_answered_and_what_is_not_is_said(self) -> None:
         wait_until(lambda: "table" in say("Where is the mug?").sentence)
         self.assert_says("Where is the mug?", "on the table in the kitchen")
-        self.assert_says("Where is the spoon?", "I have not seen a spoon.")
-        self.assert_says("What did I say?", "Where is the spoon?")
+        # Nobody speaks as fast; the answer comes over another way than what was said before.
+        for _ in range(10):
+            self.assert_says("Where is the spoon?", "I have not seen a spoon.")
+            self.assert_says("What did I say?", "Where is the spoon?")
+            self.assert_says("What did you say?", "Where is the spoon?")
 
     def test_2_an_answer_is_spoken(self) -> None:
         said: List[str] = []

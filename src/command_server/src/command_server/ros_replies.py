@@ -26,7 +26,7 @@ class Replies:
     def __init__(self) -> None:
         self.publisher = rospy.Publisher("reply", Reply, queue_size=1000)
         self.last_reply = Reply()
-        self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
+        self._status = rospy.Publisher("status", CommandStatus, queue_size=100, latch=True)
         self._taken = rospy.Publisher("text_taken", String, queue_size=1000)
         self._untold: List[str] = []
         self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)

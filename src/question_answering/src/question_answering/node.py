@@ -38,6 +38,9 @@ from semantic_frames.read_once import ReadOnce
 from world_model import World, WorldObject
 from world_model.ros_messages import object_to_message, world_from_message
 
+# How long a question waits for the status that tells of it, seconds; it comes by another way, and earlier as a rule.
+_STATUS_WAIT_S = 0.5
+
 
 @dataclass(frozen=True)
 class Settings(Parameters):
@@ -72,6 +75,7 @@ class QuestionAnswering:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._lock = threading.Lock()
+        self._is_told = threading.Condition(self._lock)
         self._world_message = WorldMessage()
         self._world = World()
         self._frames: Dict[str, SemanticFrame] = {}
@@ -93,13 +97,13 @@ class QuestionAnswering:
             rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
-            rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
+            rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=20),
         ]
         self._server = RFNServer("question_answering", self._on_question)
         for name in ANSWERS:
             self._server.register_with_frame(name)
         self._server.start()
-        self._asking = Asking(timeout_s=settings.timeout_s)
+        self._asking = Asking(timeout_s=settings.timeout_s, before=self._wait_for_status)
 
     def _on_world(self, message: WorldMessage) -> None:
         with self._lock:
@@ -132,9 +136,18 @@ class QuestionAnswering:
         # Not command_text: command_server takes whoever listens to that for the parser.
         with self._lock:
             self._status = message
-            for command in message.active:
-                if not self._said or command.stamp > self._said[-1].stamp:
+            # Who was answered within a moment may never be told as active.
+            for command in (message.last_reply.command, *message.active):
+                if command.id and (not self._said or command.stamp > self._said[-1].stamp):
                     self._said.append(command)
+            self._is_told.notify_all()
+
+    def _wait_for_status(self, question: Command) -> None:
+        """Wait until the status tells of a question: what was said before it is known then."""
+        with self._is_told:
+            self._is_told.wait_for(
+                lambda: bool(self._said) and self._said[-1].stamp >= question.stamp, timeout=_STATUS_WAIT_S
+            )
 
     def _on_question(self, frame: TypedFrame) -> None:
         known = self._known()
@@ -163,7 +176,7 @@ class QuestionAnswering:
                 ability_count=len(acting),
                 doing=doing[0] if doing else "",
                 last_words=self._said[0].text if len(self._said) > 1 else "",
-                last_reply=self._history.last_reply,
+                last_reply=self._status.last_reply.sentence,
                 now=datetime.now(),
                 deeds=self._history.deeds,
                 next_steps=self._history.next_steps,

@@ -4,7 +4,7 @@ import contextlib
 import queue
 import threading
 import time
-from typing import Dict, List, Optional, Tuple
+from typing import Callable, Dict, List, Optional, Tuple
 
 import actionlib
 import rospy
@@ -29,12 +29,14 @@ class Asking:
         stage_events (StageEvent)
     """
 
-    def __init__(self, *, timeout_s: float) -> None:
+    def __init__(self, *, timeout_s: float, before: Callable[[Command], None]) -> None:
         """
         Args:
             timeout_s: for a server to answer, seconds
+            before: called with each question before a server is asked
         """
         self._timeout_s = timeout_s
+        self._before = before
         self._connections: Dict[str, ActionConnection] = {}
         self._waiting: queue.Queue[Optional[CommandPlan]] = queue.Queue(_MOST_WAITING)
         self._stage = Stage("question_answering")
@@ -66,6 +68,7 @@ class Asking:
                 self._end(message.command, Reply.FAILED, "STAGE_ERROR", reason)
 
     def _answer(self, message: CommandPlan) -> None:
+        self._before(message.command)
         failures: List[str] = []
         for node in message.plan.nodes:
             shared = [from_message(argument) for argument in node.arguments]

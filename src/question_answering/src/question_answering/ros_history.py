@@ -28,7 +28,6 @@ class History:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._deeds: Deque[Deed] = deque(maxlen=_MOST_DEEDS)
-        self._last_reply = ""
         self._children: Dict[str, Tuple[str, ...]] = {}
         self._active: Dict[str, Tuple[str, ...]] = {}
         self._subscribers = [
@@ -46,12 +45,6 @@ class History:
             return tuple(self._deeds)
 
     @property
-    def last_reply(self) -> str:
-        """What the robot replied last; empty for nothing."""
-        with self._lock:
-            return self._last_reply
-
-    @property
     def next_steps(self) -> Tuple[str, ...]:
         """What comes after what runs: the steps behind the active one in the outermost machine that has steps."""
         with self._lock:
@@ -62,12 +55,12 @@ class History:
         return ()
 
     def _on_reply(self, reply: Reply) -> None:
-        is_deed = reply.stage != _ANSWERS and reply.code not in _NO_DEEDS
-        outcome = Outcome(reply.outcome)
+        if reply.stage == _ANSWERS or reply.code in _NO_DEEDS:
+            return
         with self._lock:
-            self._last_reply = reply.sentence
-            if is_deed:
-                self._deeds.append(Deed(reply.command.text, outcome, reply.sentence, is_stop=reply.stage == _CRIES))
+            self._deeds.append(
+                Deed(reply.command.text, Outcome(reply.outcome), reply.sentence, is_stop=reply.stage == _CRIES)
+            )
 
     def _on_structure(self, message: SmachContainerStructure) -> None:
         with self._lock:

@@ -183,6 +183,18 @@ def is_direction(tree: DependencyTree, index: int) -> bool:
     return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
+def directions_besides(tree: DependencyTree, phrase: Iterable[int], text: str) -> FrozenSet[int]:
+    """Return the directions in a phrase that its text does not tell: "right" in "left again and then right" for "left".
+
+    Args:
+        tree: the sentence
+        phrase: positions of its words
+        text: what a server gets
+    """
+    told = text.lower().split()
+    return frozenset(one for one in phrase if is_direction(tree, one) and tree.word(one).form.lower() not in told)
+
+
 def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]) -> bool:
     """Whether a word and a used word next to it name one direction: "straight ahead"."""
     beside = {index - 1: (_STRAIGHT, _ONWARD), index + 1: (_ONWARD, _STRAIGHT)}

@@ -7,6 +7,7 @@ from phrase_meanings.arguments import amount_argument, default_argument, unit_ar
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
     behind_description,
+    directions_besides,
     has_postmodifiers,
     is_all_at_first_of_two_places,
     is_direction,
@@ -424,10 +425,9 @@ class _Filling:
         used: Set[int] = set(self._match.positions) | self._unfinished
         for argument in arguments:
             used.update(argument.positions)
-            # A measure consists of a number, a unit and hedges; its other dependents are not part of it.
-            if argument.head_position and argument.measure is None:
-                # Function words of the argument: "to", "the".
-                used.update(child.index for child in self._sentence.children(argument.head_position))
+            element = self._frame.element(argument.name)
+            if element is not None and element.framenet == DIRECTION:
+                used.difference_update(directions_besides(self._sentence.tree, argument.positions, argument.text))
         content = [
             index
             for index in sorted(self._clause.positions)
