@@ -31,6 +31,7 @@ _RELATIVE_WORDS = word_class("relative_words")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
 _BEING_LOCATED, _THEME, _LOCATION = "being_located", "theme", "location"
 _BEFORE_LISTS = word_class("words_before_lists")
+_ORDER = word_class("adverbs_of_order")
 _CLITICS = frozenset(["'s", "'", "’s", "’"])
 
 
@@ -213,11 +214,14 @@ class Phrases:
         return tuple(found) if len(found) > 1 else ()
 
     def _is_of_the_list(self, index: int, head: int) -> bool:
-        """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate"."""
+        """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate", "*then* the
+        plate".
+        """
         word = self._tree.word(index)
+        is_order = word.upos == "ADV" and word.form.lower() in _ORDER
         # "Both mugs and the plate": there are two mugs.
         is_before = index < head and word.form.lower() in _BEFORE_LISTS and not is_plural(self._tree.word(head))
-        return word.upos == "PUNCT" or word.deprel == "cc" or is_before
+        return word.upos == "PUNCT" or word.deprel == "cc" or is_before or is_order
 
     def _attached_heads(self, attached: FrozenSet[int], own: FrozenSet[int]) -> List[int]:
         """Return the heads of phrases that belong to the noun although the tree attaches them to the verb."""

@@ -16,3 +16,13 @@ def test_phrase_with_too_many_parts_keeps_its_words() -> None:
     found = Phrases(list_of(70)).argument("theme", 2)
     assert found.members == ()
     assert (len(found.positions), found.head, found.text.split()) == (70, "cup", ["cup"] * 70)
+
+
+def test_word_of_order_is_of_no_member() -> None:
+    words = (
+        Word(1, "kitchen", "kitchen", "NOUN", "NN", "", 0, "root"),
+        Word(2, "then", "then", "ADV", "RB", "", 3, "advmod"),
+        Word(3, "bedroom", "bedroom", "NOUN", "NN", "", 1, "conj"),
+    )
+    found = Phrases(DependencyTree("kitchen then bedroom", words)).argument("goal", 1)
+    assert [member.text for member in found.members] == ["kitchen", "bedroom"]
