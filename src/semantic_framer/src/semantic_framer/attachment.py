@@ -2,10 +2,13 @@
 for it.
 """
 
-from typing import AbstractSet, Collection, Container, FrozenSet, Iterable, List, Sequence, Tuple
+from typing import AbstractSet, Collection, Container, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
+from semantic_framer.frame_roles import DIRECTION
 from semantic_frames.extra_thematic import is_of_every_action
+from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
+from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
@@ -183,16 +186,18 @@ def is_direction(tree: DependencyTree, index: int) -> bool:
     return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
-def directions_besides(tree: DependencyTree, phrase: Iterable[int], text: str) -> FrozenSet[int]:
-    """Return the directions in a phrase that its text does not tell: "right" in "left again and then right" for "left".
-
-    Args:
-        tree: the sentence
-        phrase: positions of its words
-        text: what a server gets
+def lost_directions(tree: DependencyTree, frame: SemanticFrame, arguments: Iterable[TypedArgument]) -> FrozenSet[int]:
+    """Return the directions below the head of a direction that are not in its text: "right" in "left again and then
+    right", whose text is "left".
     """
-    told = text.lower().split()
-    return frozenset(one for one in phrase if is_direction(tree, one) and tree.word(one).form.lower() not in told)
+    lost: Set[int] = set()
+    for argument in arguments:
+        element = frame.element(argument.name)
+        if argument.head_position and element is not None and element.framenet == DIRECTION:
+            told = argument.text.lower().split()
+            below = [tree.word(index) for index in tree.subtree(argument.head_position) if is_direction(tree, index)]
+            lost.update(word.index for word in below if word.form.lower() not in told)
+    return frozenset(lost)
 
 
 def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]) -> bool:

@@ -7,7 +7,6 @@ from phrase_meanings.arguments import amount_argument, default_argument, unit_ar
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
     behind_description,
-    directions_besides,
     has_postmodifiers,
     is_all_at_first_of_two_places,
     is_direction,
@@ -19,6 +18,7 @@ from semantic_framer.attachment import (
     is_postmodifier_of,
     is_right_behind,
     listed_particle,
+    lost_directions,
     objects_elsewhere,
     persons_behind,
     places_before,
@@ -425,23 +425,23 @@ class _Filling:
         used: Set[int] = set(self._match.positions) | self._unfinished
         for argument in arguments:
             used.update(argument.positions)
-            element = self._frame.element(argument.name)
-            if element is not None and element.framenet == DIRECTION:
-                used.difference_update(directions_besides(self._sentence.tree, argument.positions, argument.text))
+        # Neither the verb nor that of a wrapped request around it ("I want you to ...") is left over.
         content = [
             index
             for index in sorted(self._clause.positions)
-            if self._sentence.is_content(index) and index != self._clause.verb
+            if self._sentence.is_content(index) and self._clause.verb not in self._sentence.subtree(index)
         ]
-        # The verb of a wrapped request ("I want you to ...") is outside the clause.
-        content = [index for index in content if self._clause.verb not in self._sentence.subtree(index)]
+        lost = lost_directions(self._sentence.tree, self._frame, arguments) - frozenset(self._heads.values())
         left_over = tuple(
             index
             for index in content
-            if index not in used
-            and index != self._subject
-            and not is_part_of_used_name(self._sentence.tree, index, used)
-            and not is_of_one_direction(self._sentence.tree, index, used)
+            if index in lost
+            or (
+                index not in used
+                and index != self._subject
+                and not is_part_of_used_name(self._sentence.tree, index, used)
+                and not is_of_one_direction(self._sentence.tree, index, used)
+            )
         )
         unread = [amount for amounts in self._unread.values() for amount in amounts]
         unread += [amount for amount in self._amounts if amount.is_doubtful]

@@ -14,6 +14,10 @@ QUOTED = "flat:quoted"
 ABANDONED = "reparandum"
 
 
+#: No blank stands before these.
+_CLOSE = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
+
+
 @dataclass(frozen=True)
 class Word:
     """One word of a dependency tree, the fields in the order of CoNLL-U.
@@ -130,11 +134,14 @@ class DependencyTree:
         return self.text_in_order(sorted(positions))
 
     def text_in_order(self, positions: Iterable[int]) -> str:
-        """Return the text of words in the order of the given positions."""
+        """Return the text of words in the order of the given positions; "check-in" is written as it was."""
         text = ""
+        before = None
         for index in positions:
-            form = self.word(index).form
-            text += form if not text or form.startswith(("'", "’", "n't", ",", ";", ":", ".", "!", "?")) else " " + form
+            word = self.word(index)
+            is_close = word.form.startswith(_CLOSE) or (before is not None and _is_joined_by_a_mark(before, word))
+            text += word.form if not text or is_close else " " + word.form
+            before = word
         return text
 
     @property
@@ -143,3 +150,10 @@ class DependencyTree:
         if len(self.children(0)) != 1:
             return False
         return len(self.subtree(0)) == len(self.words) + 1
+
+
+def _is_joined_by_a_mark(word: Word, following: Word) -> bool:
+    """Whether two words follow each other without a blank, and one is a mark, as the hyphen of "check-in" is."""
+    is_mark = not all(any(map(str.isalnum, one.form)) for one in (word, following))
+    is_next = following.index == word.index + 1 and 0 < word.end_character == following.start_character
+    return is_mark and is_next
