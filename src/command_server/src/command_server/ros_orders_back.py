@@ -1,9 +1,7 @@
 """Whether an utterance takes back the standing order to which the last reply was given."""
 
-import time
 from collections import deque
-from dataclasses import dataclass
-from typing import Callable, Deque
+from typing import Deque
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply
@@ -13,8 +11,7 @@ from command_server.open_commands import OWN_STAGE, STOP_STAGE
 from command_server.orders_back import may_take_order_back, takes_order_back
 from command_server.spoken_words import words_of
 
-#: What the command server told of an utterance is true of the one that is heard here, if it was not told longer ago,
-#: seconds.
+#: What the command server has heard is what another node hears now, if it is not older, seconds.
 _SAME_S = 2.0
 _MOST_TOLD = 100
 
@@ -27,20 +24,12 @@ def takes_back(text: str, last: Reply, *, is_free: bool) -> bool:
         last: the last reply
         is_free: whether no command is open
     """
-    age_s = (rospy.Time.now() - last.stamp).to_sec()
-    return takes_order_back(text, is_free=is_free, stage=last.stage, outcome=last.outcome, age_s=age_s)
+    return takes_order_back(text, is_free=is_free, stage=last.stage, outcome=last.outcome, age_s=_age_s(last.stamp))
 
 
 def may_be_order_taken_back(command: Command) -> bool:
     """Whether a command may be an utterance that takes an order back, instead of a cry; what follows a cry is none."""
     return may_take_order_back(command.text) and not is_follow_up(command.id)
-
-
-@dataclass(frozen=True)
-class _Told:
-    command_id: str
-    words: str
-    told_s: float
 
 
 class OrdersTakenBack:
@@ -51,15 +40,9 @@ class OrdersTakenBack:
     messages of two topics come in any order. Any number of threads may call.
     """
 
-    def __init__(self, *, now: Callable[[], float] = time.monotonic) -> None:
-        """Start with nothing told.
-
-        Args:
-            now: monotonic clock, seconds
-        """
-        self._now = now
+    def __init__(self) -> None:
         self._status = CommandStatus()
-        self._told: Deque[_Told] = deque(maxlen=_MOST_TOLD)
+        self._told: Deque[Command] = deque(maxlen=_MOST_TOLD)
 
     def hear_status(self, status: CommandStatus) -> None:
         """The command server tells which commands are open, and its last reply."""
@@ -81,13 +64,19 @@ class OrdersTakenBack:
         """
         if not may_take_order_back(text):
             return False
-        said = words_of(text)
-        since_s = self._now() - _SAME_S
-        if any(told.words == said and told.told_s >= since_s for told in tuple(self._told)):
+        if any(_is_said_now(text, command) for command in tuple(self._told)):
             return True
         status = self._status
         return takes_back(text, status.last_reply, is_free=not status.active)
 
     def _note(self, command: Command) -> None:
-        if may_be_order_taken_back(command) and all(told.command_id != command.id for told in tuple(self._told)):
-            self._told.append(_Told(command.id, words_of(command.text), self._now()))
+        if may_be_order_taken_back(command) and all(told.id != command.id for told in tuple(self._told)):
+            self._told.append(command)
+
+
+def _is_said_now(text: str, command: Command) -> bool:
+    return words_of(command.text) == words_of(text) and abs(_age_s(command.stamp)) <= _SAME_S
+
+
+def _age_s(stamp: rospy.Time) -> float:
+    return (rospy.Time.now() - stamp).to_sec()

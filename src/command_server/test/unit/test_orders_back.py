@@ -97,12 +97,10 @@ def _now(monkeypatch):
     monkeypatch.setattr(rospy.Time, "now", lambda: rospy.Time(100))
 
 
-def _is_meant(text, *statuses, told_s=100.0):
-    now_s = [told_s]
-    orders_back = OrdersTakenBack(now=lambda: now_s[0])
+def _is_meant(text, *statuses):
+    orders_back = OrdersTakenBack()
     for status in statuses:
         orders_back.hear_status(status)
-    now_s[0] = 100.0
     return orders_back.is_meant(text)
 
 
@@ -117,10 +115,6 @@ def test_who_hears_the_reply_first_takes_it_for_no_cry():
     orders_back.hear_status(NEXT_SAID)
     orders_back.hear_reply(ANSWERED.last_reply)
     assert orders_back.is_meant("Forget that.")
-
-
-def test_what_was_told_long_ago_is_of_another_utterance():
-    assert not _is_meant("Forget that.", SAID, NEXT_SAID, told_s=90.0)
 
 
 def _changed(status, **changes):
@@ -138,9 +132,11 @@ def _changed(status, **changes):
     ("text", "status"),
     [
         ("Cancel that.", SAID),
+        ("Forget that.", _changed(SAID, active__0__stamp=rospy.Time(90))),
         ("Forget that.", _changed(SAID, active__0__id="text-1-then")),
         ("Forget that.", _changed(ANSWERED, last_reply__stage="stop_server")),
         ("Forget that.", _changed(ANSWERED, last_reply__stage="command_server")),
+        ("Forget that.", _changed(ANSWERED, last_reply__command__stamp=rospy.Time(90))),
         ("Forget that.", NEXT_SAID),
         ("Stop.", _changed(SAID, active__0__text="Stop.")),
         ("Stop.", _changed(ANSWERED, last_reply__command__text="Stop.")),
@@ -150,7 +146,11 @@ def test_who_hears_it_alone_stops(text, status):
     assert not _is_meant(text, status)
 
 
+def test_what_was_said_long_ago_is_another_utterance():
+    assert not _is_meant("Forget that.", _changed(SAID, active__0__stamp=rospy.Time(90)), NEXT_SAID)
+
+
 def test_order_that_was_just_given_is_taken_back():
     given = CommandStatus(last_reply=Reply(stage="standing_orders", outcome=Reply.DONE, stamp=rospy.Time(98)))
-    assert _is_meant("Forget that.", given, told_s=90.0)
+    assert _is_meant("Forget that.", given)
     assert not _is_meant("Stop.", given)

@@ -121,14 +121,6 @@ def is_beside(tree: DependencyTree, first: int, second: int) -> bool:
     return all(index in tree.abandoned for index in range(first + 1, second))
 
 
-def is_glued(tree: DependencyTree, first: int, second: int) -> bool:
-    """Whether no blank separates two words, such as "forty" and "-" in "forty-five"."""
-    before, after = tree.word(first), tree.word(second)
-    # The text passes split "2½" in two: two numbers in digits are never one word.
-    are_digits = before.form[-1:].isdigit() and after.form[:1].isdigit()
-    return 0 < before.end_character == after.start_character and not are_digits
-
-
 def counts_things(tree: DependencyTree, amount: Amount) -> bool:
     """Whether a number precedes the noun that it counts: "two eggs"; "to three left" counts nothing."""
     numeral = tree.word(amount.positions[-1])
@@ -171,7 +163,7 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
         return None
     if word.form.lower() == "in" and word.deprel == "case" and word.head > index:
         # "70 in backwards" means inches; "two in the hall" does not.
-        is_glued_on = index > 1 and is_glued(tree, index - 1, index)
+        is_glued_on = index > 1 and tree.is_glued(index - 1, index)
         return unit if is_glued_on or tree.word(word.head).upos == "ADV" else None
     if unit.name == "second" and word.upos == "ADJ":
         return None
@@ -180,7 +172,7 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
         return None
     if word.form in ("'", '"'):
         marks = sum(1 for other in tree.words[: index - 1] if other.form == word.form)
-        return unit if index > 1 and is_glued(tree, index - 1, index) and marks % 2 == 0 else None
+        return unit if index > 1 and tree.is_glued(index - 1, index) and marks % 2 == 0 else None
     return unit
 
 
@@ -249,11 +241,11 @@ def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[
     if forms[0] == "point" and _has_determiner(tree, window[0]):
         return False
     for number, form in enumerate(forms):
-        before = number > 0 and is_glued(tree, window[number - 1], window[number])
-        after = number + 1 < len(forms) and is_glued(tree, window[number], window[number + 1])
+        before = number > 0 and tree.is_glued(window[number - 1], window[number])
+        after = number + 1 < len(forms) and tree.is_glued(window[number], window[number + 1])
         if form in ("-", "+") and number == 0:
             # A dash between blanks is not a sign.
-            is_free = window[0] == 1 or not is_glued(tree, window[0] - 1, window[0])
+            is_free = window[0] == 1 or not tree.is_glued(window[0] - 1, window[0])
             if not (after and is_free):
                 return False
         elif form in ("-", "+", ",", ".") and not (before and after):
@@ -292,7 +284,7 @@ def _said(tree: DependencyTree, window: Sequence[int]) -> str:
         is_unit = unit_at(tree, index) is not None and not is_number(tree, index)
         if is_unit and text.endswith("-"):
             text = text[:-1]
-        is_joined = number > 0 and is_glued(tree, window[number - 1], index) and not is_unit
+        is_joined = number > 0 and tree.is_glued(window[number - 1], index) and not is_unit
         text += form if is_joined or not text else " " + form
     return text
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import AbstractSet, FrozenSet, Iterable, List, Optional, Sequence, Tuple
 
 from spoken_quantities import find_unit
-from utterance_passes.amounts import Amount, counts_things, is_glued, is_iteration, is_number, read_amounts, unit_at
+from utterance_passes.amounts import Amount, counts_things, is_iteration, is_number, read_amounts, unit_at
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -312,4 +312,4 @@ def _is_mark_of_arithmetic(form: str) -> bool:
 def _is_written_on(tree: DependencyTree, first: int, second: int, other: int) -> bool:
     """Whether a word touches an amount without a blank: "e" in "e5", "-ish" in "45-ish"."""
     form = tree.word(other).form
-    return is_glued(tree, first, second) and form not in _MARKS and not form.startswith(("'", "’"))
+    return tree.is_glued(first, second) and form not in _MARKS and not form.startswith(("'", "’"))

@@ -12,8 +12,6 @@ ASIDE = "discourse:aside"
 QUOTED = "flat:quoted"
 #: Relation to the correction for the words that the speaker took back, and for the editing term.
 ABANDONED = "reparandum"
-
-
 #: No blank stands before these.
 _CLOSE = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
 
@@ -136,13 +134,25 @@ class DependencyTree:
     def text_in_order(self, positions: Iterable[int]) -> str:
         """Return the text of words in the order of the given positions; "check-in" is written as it was."""
         text = ""
-        before = None
+        before = 0
         for index in positions:
-            word = self.word(index)
-            is_close = word.form.startswith(_CLOSE) or (before is not None and _is_joined_by_a_mark(before, word))
-            text += word.form if not text or is_close else " " + word.form
-            before = word
+            form = self.word(index).form
+            is_close = form.startswith(_CLOSE) or (before > 0 and self._is_joined_by_a_mark(before, index))
+            text += form if not text or is_close else " " + form
+            before = index
         return text
+
+    def is_glued(self, first: int, second: int) -> bool:
+        """Whether no blank separates two words, such as "forty" and "-" in "forty-five"."""
+        before, after = self.word(first), self.word(second)
+        # The text passes split "2½" in two: two numbers in digits are never one word.
+        are_digits = before.form[-1:].isdigit() and after.form[:1].isdigit()
+        return 0 < before.end_character == after.start_character and not are_digits
+
+    def _is_joined_by_a_mark(self, first: int, second: int) -> bool:
+        """Whether two words are glued, and one is a mark, as the hyphen of "check-in" is."""
+        is_mark = not all(any(map(str.isalnum, self.word(index).form)) for index in (first, second))
+        return is_mark and self.is_glued(first, second)
 
     @property
     def is_connected(self) -> bool:
@@ -150,10 +160,3 @@ class DependencyTree:
         if len(self.children(0)) != 1:
             return False
         return len(self.subtree(0)) == len(self.words) + 1
-
-
-def _is_joined_by_a_mark(word: Word, following: Word) -> bool:
-    """Whether two words follow each other without a blank, and one is a mark, as the hyphen of "check-in" is."""
-    is_mark = not all(any(map(str.isalnum, one.form)) for one in (word, following))
-    is_next = following.index == word.index + 1 and 0 < word.end_character == following.start_character
-    return is_mark and is_next

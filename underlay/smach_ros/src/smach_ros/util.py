@@ -2,7 +2,7 @@
 
 import threading
 import time
-from typing import Callable, Iterator
+from typing import Any, Callable, Iterator
 
 import rospy
 
@@ -33,15 +33,17 @@ def set_preempt_handler(sc: smach.State) -> None:
         thread = threading.Thread(target=sc.request_preempt, name="smach_preempt_handler", daemon=True)
         thread.start()
         thread.join(REQUEST_GRACE_S)
-        if isinstance(sc, smach.Container) and not sc.is_run_by_this_thread():
-            _wait_for_end(sc)
+        _wait_for_end(sc)
         _wait_for_cancels(sc)
 
     rospy.core.add_client_shutdown_hook(stop)
 
 
-def _wait_for_end(container: smach.Container) -> None:
-    if not _comes_true(lambda: not container.is_running(), END_GRACE_S):
+def _wait_for_end(sc: Any) -> None:
+    """Wait until a container has ended, unless this thread is one that runs it."""
+    if not isinstance(sc, smach.Container) or sc.is_run_by_this_thread():
+        return
+    if not _comes_true(lambda: not sc.is_running(), END_GRACE_S):
         rospy.logerr("The node shuts down while its state machine still runs: it was asked to stop and did not.")
 
 
