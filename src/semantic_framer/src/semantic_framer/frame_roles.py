@@ -2,6 +2,8 @@
 
 from typing import FrozenSet, Mapping
 
+#: FrameNet's name of saying something to somebody.
+TELLING = "Telling"
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"
@@ -33,6 +35,8 @@ OPERATIONAL_STATE = "Operational_state"
 #: What is to be checked, and whether the thing that it is said of has an element of its own.
 STATED: Mapping[str, bool] = {"Unconfirmed_content": False, "Desired_state": True}
 STATED_OF: FrozenSet[str] = frozenset(["Ground"])
+#: What is said or asked of things, and is none itself.
+CONTENTS: FrozenSet[str] = frozenset([*STATED, "Content"])
 #: What is opened and closed again: the door, and what the door belongs to.
 _OPENED = frozenset(["Container_portal", "Containing_object"])
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.meaning_file import shipped_meanings
-from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.frame_roles import MESSAGE, TELLING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.question_orders import orders_of
 from semantic_framer.question_words import PREPOSITIONS, compiled
@@ -14,8 +14,6 @@ from utterance_passes.tree import DependencyTree, Word
 from word_classes import without_determiner, word_class
 
 _QUESTION = "question"
-#: FrameNet's name of saying something to somebody.
-_TELLING = "Telling"
 #: By the tag of a word before a noun.
 _KINDS_OF_MODIFIERS = {"JJ": "adjective", "JJR": "comparative", "JJS": "superlative"}
 _WHETHER = tuple([word] for word in word_class("whether_words"))
@@ -27,7 +25,7 @@ def with_indirect_questions(reading: Reading, tree: DependencyTree, known: Frame
     The words of a message are quoted: they have no structure, and the patterns of questions need none.
     """
     frame = known.frames[reading.unit.frame_name]
-    messages = {one.name for one in frame.frame_elements if one.framenet == MESSAGE and frame.framenet == _TELLING}
+    messages = {one.name for one in frame.frame_elements if one.framenet == MESSAGE and frame.framenet == TELLING}
     arguments = tuple(
         (_with_what_is_told if argument.name in messages and not argument.frames else _with_question)(
             argument, tree, known

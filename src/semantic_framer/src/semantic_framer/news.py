@@ -1,21 +1,20 @@
 """News that somebody wants to hear when it happens: "tell me when the oven is off", "let me know if the bell rings"."""
 
-from typing import Sequence
+from typing import Mapping, Optional, Sequence
 
 from semantic_framer.clause_links import Joint, Joints
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.condition_part import happens
 from semantic_framer.conditions import read_condition
-from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.frame_roles import MESSAGE, TELLING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
+from semantic_frames.frame import FrameElement, SemanticFrame
 from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 
-#: FrameNet's name of saying something to somebody. Who is *asked* "if the bell rings" is to answer.
-_TELLING = "Telling"
 #: FrameNet's name of what is reported.
 _TOPIC = "Topic"
 #: Links before news.
@@ -33,7 +32,8 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
         sorted(argument.positions)
         for reading in readings
         for frame in [known.frames[reading.unit.frame_name]]
-        if frame.framenet == _TELLING
+        # Who is *asked* "if the bell rings" is to answer.
+        if frame.framenet == TELLING
         for argument in reading.arguments
         for element in [frame.element(argument.name)]
         if element is not None and element.framenet == MESSAGE and argument.positions
@@ -73,15 +73,23 @@ def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: Frame
 
 
 def _told(reading: Reading, said: str, known: FramedLexicon) -> Reading:
-    frame = known.frames[reading.unit.frame_name]
+    element = element_told(reading, known.frames)
+    if element is None:
+        return reading
+    return with_argument(reading, TypedArgument(element.name, said, Source.INFERRED, words=said))
+
+
+def element_told(reading: Reading, frames: Mapping[str, SemanticFrame]) -> Optional[FrameElement]:
+    """Return the element of what is told or reported, if it is the only one that is open; None if not."""
+    frame = frames[reading.unit.frame_name]
     open_elements = [
         element
         for element in frame.frame_elements
         if element in reading.missing or (element.framenet == _TOPIC and reading.argument(element.name) is None)
     ]
     if frame.is_condition or [element.framenet for element in open_elements] not in ([MESSAGE], [_TOPIC]):
-        return reading
-    return with_argument(reading, TypedArgument(open_elements[0].name, said, Source.INFERRED, words=said))
+        return None
+    return open_elements[0]
 
 
 def _names_participants(sentence: Sentence, positions: Sequence[int]) -> bool:

@@ -1,5 +1,6 @@
 """Reads questions and remarks by the patterns of lexical units; the frames are questions: none acts."""
 
+from itertools import dropwhile, takewhile
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -28,6 +29,7 @@ _DETERMINERS = word_class("determiners")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would", "ca": "can", "wo": "will"}
 _NOT = "n't"
+_ENDS_OF_SENTENCES = frozenset(".?!")
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -36,6 +38,8 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     A frame that no server answers is left out while other frames have servers.
     """
     words = _words(case.sentence)
+    if _ends_inside(case.sentence, words):
+        return ()
     length = length_of_opening([_spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
     spoken = {word.index for word in words}
@@ -101,6 +105,23 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
             found.append(reading)
     # "How many chairs are there in the hall" has a place, though a pattern without a place fits too.
     return tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading))))
+
+
+def is_said_alone(sentence: Sentence) -> bool:
+    """Whether nothing is said beside a question: "Where is the mug? Bring it to me." says more."""
+    return not _ends_inside(sentence, _words(sentence))
+
+
+def up_to_its_end(sentence: Sentence, positions: Sequence[int]) -> List[int]:
+    """Return the first of some words in order, up to the end of the sentence in which they begin."""
+    behind_marks = dropwhile(lambda index: sentence.word(index).upos == "PUNCT", positions)
+    return list(takewhile(lambda index: sentence.word(index).form not in _ENDS_OF_SENTENCES, behind_marks))
+
+
+def _ends_inside(sentence: Sentence, words: Sequence[Word]) -> bool:
+    """Whether a sentence ends between words: a pattern would read the next one as a part of the question."""
+    between = range(words[0].index + 1, words[-1].index) if words else ()
+    return any(sentence.word(index).form in _ENDS_OF_SENTENCES for index in between)
 
 
 def _is_question(case: Case) -> bool:

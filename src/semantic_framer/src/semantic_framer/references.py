@@ -5,7 +5,7 @@ from typing import Iterable, List, Mapping, Optional, Sequence, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
-from semantic_framer.frame_roles import NO_THINGS, PLACES, part_of
+from semantic_framer.frame_roles import CONTENTS, NO_THINGS, PLACES, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -23,6 +23,7 @@ _PERSONS = frozenset(["Sentient"])
 _PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
+_QUESTION_WORDS = word_class("question_words")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
 _SOUND_SOURCE = "Sound_source"
@@ -147,11 +148,24 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
-    """Remember the thing and the place that a reading mentions."""
-    frame = frames[reading.unit.frame_name]
-    for value in reading.arguments:
+    """Remember the things and the place that a reading mentions."""
+    return _remember(frames[reading.unit.frame_name], reading.arguments, frames, context)
+
+
+def _remember(
+    frame: SemanticFrame, arguments: Iterable[TypedArgument], frames: Mapping[str, SemanticFrame], context: Context
+) -> Context:
+    for value in arguments:
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
+            continue
+        if element.framenet in CONTENTS:
+            # "See if the mail has arrived and bring it": what is said is no thing, but it is about one.
+            for said in value.frames:
+                if said.frame_name in frames:
+                    context = _remember(frames[said.frame_name], said.frame_elements, frames, context)
+            continue
+        if value.text.lower() in _QUESTION_WORDS:
             continue
         if (element.framenet == "Category" and not value.quantifier) or element.framenet in _STATES:
             continue  # "The floor is dirty, clean it": dirty is no thing.

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import CAREFUL, Refusal, left_over_refusal, not_then
+from semantic_framer.outcome import CAREFUL, QUESTION, Refusal, left_over_refusal, not_then
+from semantic_framer.questions import is_said_alone, up_to_its_end
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case, asks_for_nothing
@@ -34,6 +35,9 @@ def _asks_for_nothing(case: Case) -> Optional[Refusal]:
         return asks_for_nothing(kind, said) if kind.kind in (UtteranceKind.TALK, UtteranceKind.QUESTION) else None
     for clause, kind in zip(case.clauses, case.kinds):
         if kind.kind is UtteranceKind.QUESTION:
+            if case.acts or not is_said_alone(case.sentence):
+                question = case.sentence.text(up_to_its_end(case.sentence, sorted(clause.positions)))
+                return Refusal(QUESTION, f'Please ask "{question}" alone: I answer one question at a time.')
             return asks_for_nothing(kind, case.text_of(clause) if case.clauses[1:] else said)
     if any(kind.is_read for kind in case.kinds) or any(clause.is_negated for clause in case.clauses):
         return None

@@ -10,6 +10,7 @@ from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.embedded_statements import with_statements
+from semantic_framer.findings_told import with_finding
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
@@ -131,6 +132,8 @@ def _settled(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
+        before = [one[0] for one in done]
+        readings = tuple(with_finding(reading, before, now.known.frames) for reading in readings)
         readings = tuple(
             with_statements(with_indirect_questions(reading, sentence.tree, now.known), sentence, now.known)
             for reading in readings
