@@ -38,7 +38,7 @@ test: build browser ## run the tests, at most ten minutes (FILTER=package runs o
 acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
 	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))
 
-reliability: build ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
+reliability: build $(if $(ONLY),$(if $(findstring R14,$(ONLY)),browser),browser) ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
 	@scripts/reliability --form $(FORM) $(if $(ONLY),--only $(ONLY))
 	$(if $(ONLY)$(filter short,$(FORM)),,@scripts/test reliability $(if $(FILTER),-R $(FILTER)))
 

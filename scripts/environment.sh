@@ -5,7 +5,9 @@ if [ ! -f devel/setup.bash ]; then
   exit 1
 fi
 unset PYTHONPATH PYTHONHOME
-. devel/setup.bash
+# In a function: the files of catkin would read the arguments of the script that sources this one.
+source_workspace() { set --; . devel/setup.bash; }
+source_workspace
 export ROS_HOSTNAME=${ROS_HOSTNAME:-127.0.0.1}
 # roscpp binds its topics to the loopback device for this variable only.
 if [ "$ROS_HOSTNAME" = 127.0.0.1 ]; then export ROS_IP=${ROS_IP:-127.0.0.1}; fi
