@@ -94,11 +94,13 @@ class Thing:
         text: as it was said, "the red mug"
         noun: the dictionary form of its head, "mug"
         role: the part that it had in what was last done with it; see ``frame_roles.part_of``
+        is_plural: whether it is more than one: "the cups", "the cup and the plate"
     """
 
     text: str
     noun: str
     role: str = ""
+    is_plural: bool = False
 
 
 @dataclass(frozen=True)

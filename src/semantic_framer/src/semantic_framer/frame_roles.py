@@ -39,6 +39,8 @@ STATED_OF: FrozenSet[str] = frozenset(["Ground"])
 CONTENTS: FrozenSet[str] = frozenset([*STATED, "Content"])
 #: What is opened and closed again: the door, and what the door belongs to.
 _OPENED = frozenset(["Container_portal", "Containing_object"])
+#: The part of all of these.
+CONTAINER = "Containing_object"
 
 
 def part_of(framenet: str) -> str:
@@ -48,5 +50,5 @@ def part_of(framenet: str) -> str:
         framenet: FrameNet's name of the element
     """
     if framenet in _OPENED:
-        return "Containing_object"
+        return CONTAINER
     return "" if framenet in THINGS else framenet

@@ -5,7 +5,7 @@ from typing import Iterable, List, Mapping, Optional, Sequence, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
-from semantic_framer.frame_roles import CONTENTS, NO_THINGS, PLACES, part_of
+from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -18,12 +18,14 @@ from utterance_passes.persons import is_person
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
-_DEVICE = "Device"
+#: By the part of an element: the types of things into which others are put.
+_TYPES_OF_WHAT_HOLDS = {"Device": ["Device"], CONTAINER: ["Container", "Portal", "Device"]}
 _PERSONS = frozenset(["Sentient"])
 _PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 _QUESTION_WORDS = word_class("question_words")
+_PLURAL = word_class("plural_pronouns")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
 _SOUND_SOURCE = "Sound_source"
@@ -53,8 +55,10 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             # "Go near the radio and switch it on": a place may also be a thing.
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
-            meant = _thing_meant(things, accepted, part, known.types) or place
-            if element is not None and element.framenet == _DEVICE and _is_device(place, meant, known.types):
+            of_number = [one for one in things if one.is_plural is (word in _PLURAL)]
+            meant = _thing_meant(of_number or things, accepted, part, known.types) or place
+            wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
+            if _is_rather_there(place, meant if of_number else "", wanted, known.types):
                 meant = place
             if not meant:
                 return value
@@ -74,14 +78,15 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
     return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
 
 
-def _is_device(place: str, thing: str, types: WordTypes) -> bool:
-    """Whether a place is a device and a thing is none: "put the sample into the centrifuge and start it"."""
-    if not (place and thing):
-        return False
+def _is_rather_there(place: str, thing: str, wanted: Sequence[str], types: WordTypes) -> bool:
+    """Whether a place has one of some types and a thing has none: "put the sample into the centrifuge and start it", "put
+    the milk in the fridge and close it"."""
     # "Part number 7" is a part: any of its words may say what it is.
-    of_thing = [types.of_noun([word]).fit([_DEVICE]) for word in noun_phrase(thing)]
-    is_no_device = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
-    return is_no_device and types.of_noun(noun_phrase(place)[-1:]).fit([_DEVICE]) is Fit.LIKELY
+    of_thing = [types.of_noun([word]).fit(wanted) for word in noun_phrase(thing)]
+    is_no_such_thing = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
+    return (
+        bool(place and wanted) and is_no_such_thing and types.of_noun(noun_phrase(place)[-1:]).fit(wanted) is Fit.LIKELY
+    )
 
 
 def noun_phrase(text: str) -> List[str]:
@@ -96,12 +101,14 @@ def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, ty
     """Return the thing that a pronoun stands for: the last one mentioned that may have one of some types.
 
     A thing of another kind gives way to one that had the same part before: "open the fridge, take the milk out and
-    close *it*". If none may have the types, the last one is meant; empty if nothing was mentioned.
+    close *it*". So does what was opened or closed to what was moved: "... close it and bring *it* to me". If none may
+    have the types, the last one is meant; empty if nothing was mentioned.
     """
     likelihoods = {one: types.of_noun([one.noun]) for one in things}
     fitting = [one for one in things if not accepted or likelihoods[one].fit(accepted) is not Fit.WRONG] or things
     last = next(iter(fitting), None)
-    before = next((one for one in fitting if part and one.role == part), last)
+    is_like = part or (last is not None and last.role == CONTAINER)
+    before = next((one for one in fitting if is_like and one.role == part), last)
     if last is None or before is None or likelihoods[last].likeliest() == likelihoods[before].likeliest():
         return last.text if last is not None else ""
     return before.text
@@ -155,7 +162,8 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
 def _remember(
     frame: SemanticFrame, arguments: Iterable[TypedArgument], frames: Mapping[str, SemanticFrame], context: Context
 ) -> Context:
-    for value in arguments:
+    # The object is spoken of further, and not what a preposition adds to it: "fill the glass with water and bring it".
+    for value in sorted(arguments, key=lambda one: not one.relation):
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
             continue
@@ -177,5 +185,6 @@ def _remember(
         if (element.framenet in PLACES and not is_thing) or (frame.is_condition and element.framenet == _SOUND_SOURCE):
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
-            context = context.with_thing(Thing(value.text, value.lemma, part_of(element.framenet)))
+            is_plural = value.is_plural or bool(value.members) or (value.count or 1) > 1
+            context = context.with_thing(Thing(value.text, value.lemma, part_of(element.framenet), is_plural))
     return context
