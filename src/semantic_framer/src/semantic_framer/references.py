@@ -79,8 +79,8 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
 
 
 def _is_rather_there(place: str, thing: str, wanted: Sequence[str], types: WordTypes) -> bool:
-    """Whether a place has one of some types and a thing has none: "put the sample into the centrifuge and start it", "put
-    the milk in the fridge and close it"."""
+    """Whether a place has one of some types and a thing has none: "put the sample into the centrifuge and start it",
+    "put the milk in the fridge and close it"."""
     # "Part number 7" is a part: any of its words may say what it is.
     of_thing = [types.of_noun([word]).fit(wanted) for word in noun_phrase(thing)]
     is_no_such_thing = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
