@@ -18,6 +18,7 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading
+from semantic_framer.references import noun_phrase
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, stated
 from semantic_framer.type_fits import with_types
@@ -232,6 +233,8 @@ class _Amending:
             near = [(self._nearness(head, *slot), slot) for slot in slots]
             best = max((nearness for nearness, _ in near), default=0)
             fitting = [slot for nearness, slot in near if nearness == best and nearness > 0]
+            # "And now the plate" has no preposition, as the cup had none in "put the cup on the table".
+            fitting = [slot for slot in fitting if not slot[0].relation] or fitting
         if len(fitting) != 1:
             return ()
         argument, _ = fitting[0]
@@ -293,8 +296,10 @@ class _Amending:
             return 0
         if not types.of(head).types:
             return 2
-        before = with_parents(argument.semantic_type) if argument.semantic_type else frozenset()
-        if argument.semantic_type and types.likeliest(head) == argument.semantic_type:
+        # "It" has the type of what it stands for.
+        said = argument.semantic_type or self._known.types.of_noun(noun_phrase(argument.text)[-1:]).likeliest()
+        before = with_parents(said) if said else frozenset()
+        if said and types.likeliest(head) == said:
             return 3
         if any(types.fit(head, kinds) is Fit.LIKELY for kinds in _ALIKE if before & frozenset(kinds)):
             return 2

@@ -3,12 +3,13 @@
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.frame_roles import CONTENTS, MESSAGE, STATED, STATED_OF, TELLING
-from semantic_framer.news import element_told
 from semantic_framer.reading import Reading, with_argument
-from semantic_frames.frame import SemanticFrame
+from semantic_frames.frame import FrameElement, SemanticFrame
 from typed_arguments import EmbeddedFrame, Source, TypedArgument
 from word_classes import word_class
 
+#: FrameNet's name of what is reported.
+_TOPIC = "Topic"
 _QUESTION_WORDS = word_class("question_words")
 
 
@@ -31,6 +32,19 @@ def with_finding(reading: Reading, before: Sequence[Reading], frames: Mapping[st
         return reading
     question = EmbeddedFrame(role="says", words=found, mood="question")
     return with_argument(reading, TypedArgument(element.name, found, Source.INFERRED, words=found, frames=(question,)))
+
+
+def element_told(reading: Reading, frames: Mapping[str, SemanticFrame]) -> Optional[FrameElement]:
+    """Return the element of what is told or reported, if it is the only one that is open; None if not."""
+    frame = frames[reading.unit.frame_name]
+    open_elements = [
+        element
+        for element in frame.frame_elements
+        if element in reading.missing or (element.framenet == _TOPIC and reading.argument(element.name) is None)
+    ]
+    if frame.is_condition or [element.framenet for element in open_elements] not in ([MESSAGE], [_TOPIC]):
+        return None
+    return open_elements[0]
 
 
 def _found_out(reading: Reading, frame: SemanticFrame) -> Optional[str]:

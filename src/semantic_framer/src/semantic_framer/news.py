@@ -1,22 +1,20 @@
 """News that somebody wants to hear when it happens: "tell me when the oven is off", "let me know if the bell rings"."""
 
-from typing import Mapping, Optional, Sequence
+from typing import Sequence
 
 from semantic_framer.clause_links import Joint, Joints
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.condition_part import happens
 from semantic_framer.conditions import read_condition
+from semantic_framer.findings_told import element_told
 from semantic_framer.frame_roles import MESSAGE, TELLING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
-from semantic_frames.frame import FrameElement, SemanticFrame
 from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 
-#: FrameNet's name of what is reported.
-_TOPIC = "Topic"
 #: Links before news.
 _OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
 _PARTICIPANTS = word_class("participants") | word_class("possessives_of_participants")
@@ -77,19 +75,6 @@ def _told(reading: Reading, said: str, known: FramedLexicon) -> Reading:
     if element is None:
         return reading
     return with_argument(reading, TypedArgument(element.name, said, Source.INFERRED, words=said))
-
-
-def element_told(reading: Reading, frames: Mapping[str, SemanticFrame]) -> Optional[FrameElement]:
-    """Return the element of what is told or reported, if it is the only one that is open; None if not."""
-    frame = frames[reading.unit.frame_name]
-    open_elements = [
-        element
-        for element in frame.frame_elements
-        if element in reading.missing or (element.framenet == _TOPIC and reading.argument(element.name) is None)
-    ]
-    if frame.is_condition or [element.framenet for element in open_elements] not in ([MESSAGE], [_TOPIC]):
-        return None
-    return open_elements[0]
 
 
 def _names_participants(sentence: Sentence, positions: Sequence[int]) -> bool:

@@ -1,12 +1,12 @@
 """Reads questions and remarks by the patterns of lexical units; the frames are questions: none acts."""
 
-from itertools import dropwhile, takewhile
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.question_extent import ends_inside, words_of_question
 from semantic_framer.question_orders import direct_orders, length_of_opening
-from semantic_framer.question_words import compiled, length_in_front, phrases_of
+from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
@@ -19,17 +19,10 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import Word
 from word_classes import word_class
 
-_PADDING = word_class("question_padding")
-_COURTESIES = phrases_of("question_courtesies")
-_ENDINGS = phrases_of("question_endings", "question_courtesies")
-_EXPLETIVES = phrases_of("question_expletives")
-_ASKING = word_class("question_words")
 _NEGATIONS = word_class("negations")
-_DETERMINERS = word_class("determiners")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would", "ca": "can", "wo": "will"}
 _NOT = "n't"
-_ENDS_OF_SENTENCES = frozenset(".?!")
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -37,8 +30,8 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
 
     A frame that no server answers is left out while other frames have servers.
     """
-    words = _words(case.sentence)
-    if _ends_inside(case.sentence, words):
+    words = words_of_question(case.sentence)
+    if ends_inside(case.sentence, words):
         return ()
     length = length_of_opening([_spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
@@ -59,7 +52,7 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     """
     frames = known.frames
     # "Well" and "now" may also be words around a sentence.
-    orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], _words(sentence))
+    orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence))
     found = [
         read
         for words in orders
@@ -107,59 +100,12 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
     return tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading))))
 
 
-def is_said_alone(sentence: Sentence) -> bool:
-    """Whether nothing is said beside a question: "Where is the mug? Bring it to me." says more."""
-    return not _ends_inside(sentence, _words(sentence))
-
-
-def up_to_its_end(sentence: Sentence, positions: Sequence[int]) -> List[int]:
-    """Return the first of some words in order, up to the end of the sentence in which they begin."""
-    behind_marks = dropwhile(lambda index: sentence.word(index).upos == "PUNCT", positions)
-    return list(takewhile(lambda index: sentence.word(index).form not in _ENDS_OF_SENTENCES, behind_marks))
-
-
-def _ends_inside(sentence: Sentence, words: Sequence[Word]) -> bool:
-    """Whether a sentence ends between words: a pattern would read the next one as a part of the question."""
-    between = range(words[0].index + 1, words[-1].index) if words else ()
-    return any(sentence.word(index).form in _ENDS_OF_SENTENCES for index in between)
-
-
 def _is_question(case: Case) -> bool:
     if not case.clauses:
         return kind_without_clause(case.sentence.tree).kind is UtteranceKind.QUESTION
     # "Where has Bob gone?" is parsed like the clause of a report.
     is_marked = case.sentence.tree.text.rstrip().endswith("?")
     return is_marked or any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
-
-
-def _words(sentence: Sentence) -> List[Word]:
-    """Return the words of a sentence without the words around a question."""
-    tree = sentence.tree
-    hidden = tree.abandoned | tree.fillers
-    words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
-    while words:
-        forms = [word.form.lower() for word in words]
-        in_front = _length_in_front(forms)
-        behind = 0 if in_front else _length_behind(forms)
-        if not in_front and not behind:
-            break
-        words = words[in_front : len(words) - behind]
-    if words and words[0].form.lower() in _ASKING:
-        del words[1 : 1 + length_in_front(_EXPLETIVES, [word.form.lower() for word in words[1:]])]
-    return words
-
-
-def _length_in_front(forms: Sequence[str]) -> int:
-    """Return the number of words that stand in front of a question: 2 for "excuse me, where is the mug"."""
-    return length_in_front(_COURTESIES, forms) or int(forms[0] in _PADDING)
-
-
-def _length_behind(forms: Sequence[str]) -> int:
-    """Return the number of words that stand behind a question: 2 for "is the lamp on right now"."""
-    found = next((len(one) for one in _ENDINGS if tuple(forms[-len(one) :]) == one), 0)
-    # "Are you a robot?" does not speak to a robot: nobody who is spoken to has an article.
-    is_noun = len(forms) > 1 and forms[-2] in _DETERMINERS
-    return found or int(forms[-1] in _PADDING and not is_noun)
 
 
 def _read(

@@ -5,7 +5,7 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import CAREFUL, QUESTION, Refusal, left_over_refusal, not_then
-from semantic_framer.questions import is_said_alone, up_to_its_end
+from semantic_framer.question_extent import is_said_alone, up_to_its_end
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case, asks_for_nothing
