@@ -299,12 +299,12 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
             parents[child] = position
     # Each node has at most one parent, and the root has none: the nodes below the root form a tree.
     levels: Dict[int, int] = {}
-    below = [0]
-    for level in range(MOST_LEVELS):
+    level, below = 0, [0]
+    while below:
+        if level == MOST_LEVELS:
+            raise ValueError(f"the plan has more than {MOST_LEVELS} levels")
         levels.update(dict.fromkeys(below, level))
-        below = [child for position in below for child in nodes[position].children]
-    if below:
-        raise ValueError(f"the plan has more than {MOST_LEVELS} levels")
+        level, below = level + 1, [child for position in below for child in nodes[position].children]
     lost = [str(position) for position in range(len(nodes)) if position not in levels]
     if lost:
         raise ValueError(

@@ -14,7 +14,7 @@ class Inbox(Generic[T]):
 
     def __init__(self) -> None:
         """Start empty."""
-        self._queue: queue.Queue[T] = queue.Queue()
+        self._queue: queue.SimpleQueue[T] = queue.SimpleQueue()
 
     def put(self, event: T) -> None:
         """Add an event; returns at once."""

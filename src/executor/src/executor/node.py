@@ -184,7 +184,7 @@ class ExecutorNode:
         self._commands: CommandQueue[_Job] = CommandQueue()
         self._runs: Dict[str, CommandRun] = {}
         self._next_event_s = 0.0
-        self._inbox: queue.Queue[_Event] = queue.Queue()
+        self._inbox: queue.SimpleQueue[_Event] = queue.SimpleQueue()
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
@@ -264,6 +264,7 @@ class ExecutorNode:
         elif isinstance(event, _Note):
             order = self._order_of(event.run)
             if order is not None:
+                rospy.loginfo("cmd=%s %s", order.key.command_id, event.sentence)
                 self._stage.passes_on(order.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
@@ -367,7 +368,6 @@ class ExecutorNode:
         # The run says itself what begins.
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         run.start()
-        rospy.loginfo("cmd=%s starts", order.key.command_id)
 
     def _report_progress(self) -> None:
         if time.monotonic() < self._next_event_s:

@@ -173,7 +173,7 @@ class ActionStep(smach.State):
             self._context.settings.restore(owner=owner)
 
     def _send_and_follow(self, connection: ActionConnection) -> Goal:
-        inbox: queue.Queue[object] = queue.Queue()
+        inbox: queue.SimpleQueue[object] = queue.SimpleQueue()
 
         def on_sign() -> None:
             inbox.put(Sign())
@@ -189,7 +189,9 @@ class ActionStep(smach.State):
             connection.unlisten(on_sign)
             self._scope.unlisten(on_cancel)
 
-    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
+    def _follow(
+        self, connection: ActionConnection, inbox: "queue.SimpleQueue[object]", on_sign: Callable[[], None]
+    ) -> Goal:
         if self._read_news():
             return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         of_each = self._context.deadlines
@@ -214,7 +216,7 @@ class ActionStep(smach.State):
             self._context.running_goals.forget(sent.goal_id)
 
     def _follow_sent(
-        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.Queue[object]", uri: str
+        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.SimpleQueue[object]", uri: str
     ) -> Goal:
         """Follow a goal to its end.
 
@@ -250,7 +252,7 @@ class ActionStep(smach.State):
             with contextlib.suppress(queue.Empty):
                 goal = apply(goal, inbox.get(timeout=wait_s))
 
-    def _hear(self, handle: actionlib.ClientGoalHandle, inbox: "queue.Queue[object]") -> None:
+    def _hear(self, handle: actionlib.ClientGoalHandle, inbox: "queue.SimpleQueue[object]") -> None:
         transition = read_transition(handle)
         inbox.put(transition)
         if transition.is_done:
