@@ -14,7 +14,7 @@ _ENDINGS = phrases_of("question_endings", "question_courtesies")
 _EXPLETIVES = phrases_of("question_expletives")
 _ASKING = word_class("question_words")
 _DETERMINERS = word_class("determiners")
-_ENDS_OF_SENTENCES = frozenset(".?!")
+_MARKS = frozenset("?!")
 
 
 def words_of_question(sentence: Sentence) -> List[Word]:
@@ -49,8 +49,7 @@ def _length_behind(forms: Sequence[str]) -> int:
 
 def ends_inside(sentence: Sentence, words: Sequence[Word]) -> bool:
     """Whether a sentence ends between words: a pattern would read the next one as a part of the question."""
-    between = range(words[0].index + 1, words[-1].index) if words else ()
-    return any(sentence.word(index).form in _ENDS_OF_SENTENCES for index in between)
+    return bool(words) and any(_is_end(sentence, index) for index in range(words[0].index + 1, words[-1].index))
 
 
 def is_said_alone(sentence: Sentence) -> bool:
@@ -61,4 +60,10 @@ def is_said_alone(sentence: Sentence) -> bool:
 def up_to_its_end(sentence: Sentence, positions: Sequence[int]) -> List[int]:
     """Return the first of some words in order, up to the end of the sentence in which they begin."""
     behind_marks = dropwhile(lambda index: sentence.word(index).upos == "PUNCT", positions)
-    return list(takewhile(lambda index: sentence.word(index).form not in _ENDS_OF_SENTENCES, behind_marks))
+    return list(takewhile(lambda index: not _is_end(sentence, index), behind_marks))
+
+
+def _is_end(sentence: Sentence, index: int) -> bool:
+    """Whether a word is the mark at the end of a sentence, and not that of "room no. 5"."""
+    form, words = sentence.word(index).form, sentence.tree.words
+    return form in _MARKS or (form == "." and (index == len(words) or words[index].form[:1].isupper()))

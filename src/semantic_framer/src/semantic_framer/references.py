@@ -55,11 +55,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             # "Go near the radio and switch it on": a place may also be a thing.
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
-            of_number = [one for one in things if one.is_plural is (word in _PLURAL)]
-            meant = _thing_meant(of_number or things, accepted, part, known.types) or place
-            wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
-            if _is_rather_there(place, meant if of_number else "", wanted, known.types):
-                meant = place
+            meant = _meant_by(word, things, place, accepted, part, known.types)
             if not meant:
                 return value
             value = resolved(value, meant)
@@ -76,6 +72,19 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
     if not (PRONOUNS - DEMONSTRATIVES) & set(spoken) or all(place.relation not in _INSIDE for place in places):
         return None
     return next((one for one in things if types.of_noun([one.noun]).fit(["Container"]) is Fit.LIKELY), None)
+
+
+def _meant_by(
+    pronoun: str, things: Sequence[Thing], place: str, accepted: Sequence[str], part: str, types: WordTypes
+) -> str:
+    """Return what "it" or "them" stands for, a thing of that number if there is one; empty if nothing was mentioned."""
+    is_plural = pronoun in _PLURAL
+    of_number = [one for one in things if one.is_plural is is_plural]
+    thing = _thing_meant(of_number or things, accepted, part, types)
+    wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
+    if not is_plural and _is_rather_there(place, thing if of_number else "", wanted, types):
+        return place
+    return thing or place
 
 
 def _is_rather_there(place: str, thing: str, wanted: Sequence[str], types: WordTypes) -> bool:
