@@ -139,6 +139,7 @@ def test_clauses_in_order(understand: Any) -> None:
             [("taking", {"theme": "the cup", "source": "the foot of the bed"})],
         ),
         ("pick up the cup from behind the sink", [("taking", {"theme": "the cup", "source": "the sink"})]),
+        ("bring the mug and not the plate", [("bringing", {"theme": "the mug"})]),
     ],
 )
 def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple[str, Dict[str, str]]]) -> None:
@@ -156,7 +157,6 @@ def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple
         ("don't go to the office and then to the kitchen", "NEGATED"),
         ("go to the office and not to the kitchen", "NEGATED"),
         ("turn right then not left", "NEGATED"),
-        ("bring the mug and not the plate", "NEGATED"),
         # What the cloth is for is the speaker's task.
         ("bring me a cloth to clean the table", "LEFT_OVER_WORDS"),
     ],

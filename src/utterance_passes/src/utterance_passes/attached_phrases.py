@@ -1,6 +1,6 @@
 """Attaches phrases that the parser takes for another part of a command: "with your left hand", "from the left"."""
 
-from typing import FrozenSet
+from typing import FrozenSet, List
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import has_case
@@ -197,7 +197,7 @@ def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        is_side = word.deprel == "advmod" and word.form.lower() in _OPPOSITE_SIDES
+        is_side = word.deprel in ("advmod", "conj") and word.form.lower() in _OPPOSITE_SIDES
         is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
         if not (is_side or is_phrase) or not _is_contrast(tree, word):
             continue
@@ -213,14 +213,19 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
         return False
     if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
         return True
-    if forms[:1] == ["but"] and forms[1:2] and forms[1] in _NOT and word.deprel == "conj":
+    if forms[0] in ("and", "but") and forms[1:2] and forms[1] in _NOT and word.deprel == "conj":
         thing = tree.word(word.head)
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
         is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
-        return thing.deprel == "obj" and not is_of_all and not has_case(tree, word) and _is_last(tree, word)
+        is_alike = _prepositions(tree, word) == _prepositions(tree, thing)
+        return is_alike and not is_of_all and _is_last(tree, word)
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
+
+
+def _prepositions(tree: DependencyTree, word: Word) -> List[str]:
+    return [child.form.lower() for child in tree.children(word.index) if child.deprel == "case"]
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:

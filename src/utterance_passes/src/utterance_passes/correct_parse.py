@@ -224,6 +224,12 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         governor = tree.word(side.head) if side.head else side
         if side.form.lower() not in _LEFT_AND_RIGHT:
             continue
+        if side.deprel == "discourse" and any(child.form.lower() == "then" for child in tree.children(side.index)):
+            # Nobody agrees with "then right".
+            edit = TreeEdit(tree)
+            edit.relabel(side.index, "advmod")
+            tree = edit.tree()
+            continue
         if governor.deprel == "nummod":
             governor = tree.word(governor.head)
         if governor.form.lower() in _HOW_OFTEN and side.index == governor.index - 1 and governor.head:
