@@ -8,10 +8,12 @@ from typing import Tuple
 
 import yaml
 
+from home_servers.body import CannotDo
 from home_servers.looking import counted, described
 from home_servers.memory import PERSONS
 from home_servers.skills import POSTURES, Skills
 from referring_expressions.describing import counted_noun
+from roboframenet_ros.spoken_text import join_with_and
 from typed_arguments import EmbeddedFrame, TypedArgument
 
 _FACTS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "facts.yaml")
@@ -46,6 +48,8 @@ def told(skills: Skills, message: TypedArgument) -> str:
     for frame in message.frames:
         if frame.role == "says" and frame.frame_name == "question_of_number":
             return _number(skills, frame)
+        if frame.role == "says" and frame.frame_name == "question_of_who_is_there":
+            return _who(skills, frame)
         if frame.role == "says" and frame.frame_name == "question_of_place":
             return described(skills, skills.find(_element(frame, "theme")))
         if frame.role == "says" and frame.frame_name in ("question_of_state", "question_of_colour"):
@@ -61,6 +65,8 @@ def told(skills: Skills, message: TypedArgument) -> str:
     known = [one for one in skills.memory.find(message, "thing", "furniture") if one.room]
     if known:
         return described(skills, known[0])
+    if any(frame.role == "says" and frame.mood == "question" for frame in message.frames):
+        raise CannotDo(f"I do not know {message.text.rstrip(' ?.!')}.")
     return message.text[5:] if message.text.lower().startswith("that ") else message.text
 
 
@@ -77,6 +83,13 @@ def _number(skills: Skills, frame: EmbeddedFrame) -> str:
         found = [one for one in found if state in one.states]
     where = f" {place.words}" if place.text else ""
     return f"there {'is' if len(found) == 1 else 'are'} {len(found)} {counted_noun(theme, len(found))}{where}"
+
+
+def _who(skills: Skills, frame: EmbeddedFrame) -> str:
+    """Go there, look, and say who is there."""
+    place = _element(frame, "location")
+    names = sorted(one.name for one in counted(skills, TypedArgument("theme", "people"), place))
+    return f"{join_with_and(names) or 'nobody'} {'are' if names[1:] else 'is'} {place.words or 'here'}"
 
 
 def _look(skills: Skills, theme: TypedArgument) -> str:

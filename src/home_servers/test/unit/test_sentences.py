@@ -126,6 +126,8 @@ def test_what_no_skill_heeds_is_not_left_out_without_a_word(pipeline, said):
         ("Tell me where the mug is.", "The mug is on the kitchen table"),
         ("Tell Bob where the mug is.", "I told Bob: the mug is on the kitchen table"),
         ("Count the chairs in the kitchen.", "I see 0 chairs."),
+        ("Tell me who is in the office.", "Bob is in the office."),
+        ("Check whether the mug is clean and tell me.", "No, the mug is not clean."),
         ("Say hello.", ""),
     ],
 )
