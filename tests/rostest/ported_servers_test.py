@@ -33,6 +33,7 @@ from rfnserver import RFNActionServer, RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
 
 #: Steps of the sequence that a server computes before it can be preempted.
 LONG = 1000
@@ -78,7 +79,8 @@ class Client:
         self._heard: List[FibonacciActionFeedback] = []
         self._feedback = rospy.Subscriber(name + "/feedback", FibonacciActionFeedback, self._heard.append)
         assert self._client.wait_for_server(rospy.Duration(60.0)), f"no server {name}"
-        wait_until(lambda: self._feedback.get_num_connections() == 1)
+        # The servers run in this node.
+        wait_until(lambda: is_connected(rospy.get_name(), self._feedback.name, rospy.get_name()))
 
     def send(self, order: int) -> Any:
         return self._client.send_goal(FibonacciGoal(order=order))
@@ -176,7 +178,7 @@ class PortedServersTest(unittest.TestCase):
     def test_fibonacci_through_language(self) -> None:
         results: List[FibonacciActionResult] = []
         subscriber = rospy.Subscriber("fibonacci/result", FibonacciActionResult, results.append)
-        wait_until(lambda: subscriber.get_num_connections() == 1)
+        wait_until(lambda: is_connected("/fibonacci", subscriber.name, rospy.get_name()))
         text = "Compute the Fibonacci sequence to order seven."
         self.say(text)
         reply = self.reply_to(text)

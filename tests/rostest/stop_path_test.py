@@ -372,7 +372,8 @@ class StopPathTest(unittest.TestCase):
         pid = int(rosgraph.Master(rospy.get_name()).getPid())
         cancels: List[GoalID] = []
         subscriber = rospy.Subscriber("moving_forward/cancel", GoalID, cancels.append)
-        wait_until(lambda: subscriber.get_num_connections() >= 3)
+        stopping = ("/stop_server", "/command_server", "/executor")
+        wait_until(lambda: all(is_connected(node, subscriber.name, rospy.get_name()) for node in stopping))
         os.kill(pid, signal.SIGSTOP)
         try:
             for number in (1, 2):
