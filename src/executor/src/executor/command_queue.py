@@ -137,8 +137,25 @@ class CommandQueue(Generic[Job]):
         return next((one.cause for one in self.running if one.order.key.command_id == command_id), None)
 
 
+#: Whoever brakes takes a goal for one from before a stop if it is stamped up to 50 ms later (``robot_stop.braking``).
+PAUSE_AFTER_STOP_NS = 60_000_000
+
 #: The next queue, and the actions to take.
 Step = Tuple[CommandQueue[Job], Tuple[object, ...]]
+
+
+def pause_s(queue: CommandQueue[Job], *, now_ns: int) -> float:
+    """Return how long a command that begins now waits before its first goal, seconds: a goal that is sent right after a
+    stop would be braked with what the stop has ended.
+
+    Args:
+        queue: as it is
+        now_ns: ROS time
+    """
+    if queue.stop_stamp_ns is None:
+        return 0.0
+    left_ns = queue.stop_stamp_ns + PAUSE_AFTER_STOP_NS - now_ns
+    return left_ns / 1e9 if 0 < left_ns <= PAUSE_AFTER_STOP_NS else 0.0
 
 
 def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[Job]:

@@ -66,6 +66,7 @@ class CommandRun:
         patience: Patience,
         profiles: ServerProfiles,
         longest_wait_s: float,
+        pause_s: float,
         on_note: Callable[[str], None],
         on_tried: Callable[[FilledFrame, int, Goal, float], None],
         on_end: Callable[["CommandRun", RunResult], None],
@@ -84,6 +85,7 @@ class CommandRun:
             patience: how long the command may go on
             profiles: what the servers stated when they registered
             longest_wait_s: after which a wait for a condition fails, if it does not say a limit
+            pause_s: before it begins
             on_note: called from the thread of the run with a sentence for each step
             on_tried: called from the threads of the run with each frame that has ended, the number of its clause, its
                 goal, and how long it took, seconds
@@ -95,6 +97,7 @@ class CommandRun:
         self._on_note = on_note
         self._on_tried = on_tried
         self._longest_wait_s = longest_wait_s
+        self._pause_s = pause_s
         self._watches = WatchContext(clients, running_goals, deadlines, profiles.longest_silence_s, on_note)
         self._on_end = on_end
         self._introspection = introspection
@@ -193,6 +196,7 @@ class CommandRun:
 
     def _run(self) -> None:
         outcome, error = "", ""
+        self._is_preempt_asked.wait(self._pause_s)
         try:
             self._machine = build_state_machine(
                 self._plan,

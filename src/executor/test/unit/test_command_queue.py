@@ -250,3 +250,13 @@ def test_stop_ends_a_command_from_before_the_clock_was_set_back():
 def test_stop_leaves_a_command_that_was_said_just_after_it():
     _, actions = stop(running(order("after", 5 * 10**9 + 1000)), 5 * 10**9, now_ns=5 * 10**9)
     assert actions == ()
+
+
+@pytest.mark.parametrize(
+    "now_ns, pause_s",
+    [(10**9, 0.06), (10**9 + 40_000_000, 0.02), (10**9 + 60_000_000, 0.0), (10**9 - 1, 0.0), (10**10, 0.0)],
+)
+def test_no_goal_is_sent_right_after_a_stop(now_ns, pause_s):
+    stopped, _ = stop(CommandQueue(), 10**9)
+    assert command_queue.pause_s(stopped, now_ns=now_ns) == pytest.approx(pause_s)
+    assert command_queue.pause_s(CommandQueue(), now_ns=now_ns) == 0.0

@@ -10,8 +10,8 @@ from typing import Callable, FrozenSet, List, Optional, Tuple
 from roboframenet_ros.spoken_text import join_with_and
 from robot_stop.servers import Server, shown_names
 
-#: A goal that was stamped so soon after a stop may belong to a command from before it.
-_RACE_NS = 50_000_000
+#: A goal that was stamped so soon after a stop may belong to a command from before it; the executor sends none so soon.
+RACE_NS = 50_000_000
 
 
 @dataclass(frozen=True)
@@ -264,4 +264,4 @@ class Braking:
 
 
 def _is_new(goal: LiveGoal, stop: _Active) -> bool:
-    return goal.goal_id not in stop.old_ids and goal.stamp_ns > stop.order.stamp_ns + _RACE_NS
+    return goal.goal_id not in stop.old_ids and goal.stamp_ns > stop.order.stamp_ns + RACE_NS
