@@ -181,7 +181,6 @@ class CommandRun:
         self._record.hear_goal(number, goal)
         self._on_tried(frame, number, goal, took_s)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
-        rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
         self._on_note(as_sentence(f"The server {how}"))
 
     def _make_step(self, frame: FilledFrame, number: int, scope: Scope) -> ActionStep:

@@ -11,6 +11,7 @@ from offline_pipeline.pipeline import Understanding
 from semantic_framer.reading import Reading
 from semantic_types import Fit, WordTypes
 from typed_arguments import TypedArgument
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -215,7 +216,7 @@ class _Writer:
         inside = self._tree.subtree(part.head) & part.positions | {part.head}
         last = part.head
         for child in self._tree.children(part.head):
-            prepositions = [word.form.lower() for word in self._tree.children(child.index) if word.deprel == "case"]
+            prepositions = prepositions_of(self._tree, child.index)
             is_of = child.deprel.startswith("nmod") and prepositions == ["of"] and child.index in inside
             is_name = child.index == last + 1 and child.deprel in ("flat", "nummod") and child.index in inside
             if is_name or (is_of and not self._is_typed(child.index, _ROOM)):

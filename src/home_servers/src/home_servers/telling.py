@@ -45,14 +45,15 @@ def told(skills: Skills, message: TypedArgument) -> str:
     Raises:
         CannotDo: it is not known, and was not found
     """
-    for frame in message.frames:
-        if frame.role == "says" and frame.frame_name == "question_of_number":
+    said = [frame for frame in message.frames if frame.role == "says"]
+    for frame in said:
+        if frame.frame_name == "question_of_number":
             return _number(skills, frame)
-        if frame.role == "says" and frame.frame_name == "question_of_who_is_there":
+        if frame.frame_name == "question_of_who_is_there":
             return _who(skills, frame)
-        if frame.role == "says" and frame.frame_name == "question_of_place":
+        if frame.frame_name == "question_of_place":
             return described(skills, skills.find(_element(frame, "theme")))
-        if frame.role == "says" and frame.frame_name in ("question_of_state", "question_of_colour"):
+        if frame.frame_name in ("question_of_state", "question_of_colour"):
             return _look(skills, _element(frame, "theme"))
     about = _property_of_a_person(skills, message)
     if about:
@@ -65,7 +66,7 @@ def told(skills: Skills, message: TypedArgument) -> str:
     known = [one for one in skills.memory.find(message, "thing", "furniture") if one.room]
     if known:
         return described(skills, known[0])
-    if any(frame.role == "says" and frame.mood == "question" for frame in message.frames):
+    if any(frame.mood == "question" for frame in said):
         raise CannotDo(f"I do not know {message.text.rstrip(' ?.!')}.")
     return message.text[5:] if message.text.lower().startswith("that ") else message.text
 

@@ -5,6 +5,7 @@ from typing import Dict, Iterator, Sequence, Tuple
 from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
@@ -189,7 +190,6 @@ class PhraseTypes:
         if not is_measure and word.upos != "ADJ":
             return 0
         for child in self._tree.children(word.index):
-            cases = [inner.form.lower() for inner in self._tree.children(child.index) if inner.deprel == "case"]
-            if child.deprel in ("nmod", "obl") and cases == ["of"]:
+            if child.deprel in ("nmod", "obl") and prepositions_of(self._tree, child.index) == ["of"]:
                 return child.index
         return 0

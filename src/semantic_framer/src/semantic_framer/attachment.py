@@ -10,6 +10,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -42,7 +43,7 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     word = tree.word(index)
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
-    prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    prepositions = prepositions_of(tree, index)
     if not prepositions or not _is_prepositional(tree, index) or is_of_every_action(prepositions[0], word.form):
         return False
     # "The door on the left", with the tag of the adverb.
@@ -57,7 +58,7 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
 def is_place_in_a_row(tree: DependencyTree, index: int) -> bool:
     """Whether a phrase says from which side a thing is counted: "the second bottle *from the left*"."""
     word = tree.word(index)
-    prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    prepositions = prepositions_of(tree, index)
     return word.form.lower() in _LEFT_AND_RIGHT and word.deprel == "nmod" and prepositions == ["from"]
 
 

@@ -133,10 +133,10 @@ def _settled(
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
         before = [one[0] for one in done]
-        readings = tuple(with_finding(reading, before, now.known.frames) for reading in readings)
+        told = (with_finding(reading, before, now.known.frames) for reading in readings)
         readings = tuple(
             with_statements(with_indirect_questions(reading, sentence.tree, now.known), sentence, now.known)
-            for reading in readings
+            for reading in told
         )
         if done:
             readings = _beside(readings, done[-1][0], now)

@@ -1,9 +1,9 @@
 """Attaches phrases that the parser takes for another part of a command: "with your left hand", "from the left"."""
 
-from typing import FrozenSet, List
+from typing import FrozenSet
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
-from utterance_passes.clauses import has_case
+from utterance_passes.clauses import has_case, prepositions_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -217,15 +217,11 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
         thing = tree.word(word.head)
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
         is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
-        is_alike = _prepositions(tree, word) == _prepositions(tree, thing)
+        is_alike = prepositions_of(tree, word.index) == prepositions_of(tree, thing.index)
         return is_alike and not is_of_all and _is_last(tree, word)
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
-
-
-def _prepositions(tree: DependencyTree, word: Word) -> List[str]:
-    return [child.form.lower() for child in tree.children(word.index) if child.deprel == "case"]
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:

@@ -169,6 +169,11 @@ def has_case(tree: DependencyTree, word: Word) -> bool:
     return any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
 
 
+def prepositions_of(tree: DependencyTree, index: int) -> List[str]:
+    """Return the prepositions of a word, in lower case and in order: "out", "of" for "out of the box"."""
+    return [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+
+
 def _top(tree: DependencyTree, verb: int) -> int:
     """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
     word = tree.word(verb)

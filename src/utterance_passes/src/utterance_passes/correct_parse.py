@@ -218,7 +218,7 @@ def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a side and the measure after it separately to the verb: the parser makes one phrase of "to the right
-    fifteen degrees", and of "right twice".
+    fifteen degrees", and of "right twice", and an interjection of "then right".
     """
     for side in tree.words:
         governor = tree.word(side.head) if side.head else side
