@@ -15,8 +15,8 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 from semantic_types import Fit
-from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
 

@@ -15,8 +15,8 @@ from frame_learning.evidence import Lesson, lesson_of
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
-from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
 from word_classes import word_class, word_list

@@ -87,9 +87,18 @@ def default_argument(name: str, text: str) -> TypedArgument:
     return TypedArgument(name=name, text=text, words=text, head=text, source=Source.DEFAULT)
 
 
-def resolved(argument: TypedArgument, text: str) -> TypedArgument:
-    """Replace the text of a pronoun by its referent; the head, words and positions stay."""
-    return replace(argument, text=text, source=Source.INFERRED)
+def resolved(argument: TypedArgument, text: str, listed: Sequence[TypedArgument] = ()) -> TypedArgument:
+    """Replace the text of a pronoun by its referent; the head, words and positions stay.
+
+    Args:
+        argument: the pronoun
+        text: what it stands for
+        listed: the items of what it stands for; more than one become the members of the argument
+    """
+    items = tuple(replace(without_any_position(one), name="", relation="") for one in listed)
+    if len(items) < 2:
+        return replace(argument, text=text, source=Source.INFERRED)
+    return replace(argument, text=text, source=Source.INFERRED, members=items, conjunction="and")
 
 
 def referring_to(argument: TypedArgument, before: TypedArgument) -> TypedArgument:

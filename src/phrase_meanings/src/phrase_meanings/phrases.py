@@ -31,7 +31,7 @@ _RELATIVE_WORDS = word_class("relative_words")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
 _BEING_LOCATED, _THEME, _LOCATION = "being_located", "theme", "location"
 _BEFORE_LISTS = word_class("words_before_lists")
-_ORDER = word_class("adverbs_of_order")
+_ORDER = word_class("adverbs_of_order") | word_class("additive_adverbs")
 _CLITICS = frozenset(["'s", "'", "’s", "’"])
 
 
@@ -215,7 +215,7 @@ class Phrases:
 
     def _is_of_the_list(self, index: int, head: int) -> bool:
         """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate", "*then* the
-        plate".
+        plate", "*also* the plate".
         """
         word = self._tree.word(index)
         is_order = word.upos == "ADV" and word.form.lower() in _ORDER

@@ -30,6 +30,7 @@ from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import with_moved_positions, without_any_position
 from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
+from utterance_passes.persons import is_person
 from utterance_passes.tree_edits import behind_verb
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class, word_list
@@ -216,7 +217,7 @@ class _Amending:
         is none, or fits no element or several.
         """
         head = self._head()
-        if not head:
+        if not head or self._person_and_thing() is not None:
             return ()
         is_one = self._tree.word(head).form.lower() in ONES
         slots = [
@@ -265,6 +266,21 @@ class _Amending:
             amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
         )
         return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in ONES) else tops[0]
+
+    def _person_and_thing(self) -> Optional[Tuple[int, int]]:
+        """Return the heads of two phrases in a row, a person and what the person gets: "and *Bob* a *tea*"; None if
+        there are not both.
+        """
+        for before, first in zip(self._fragment.positions, self._fragment.positions[1:]):
+            person, article = self._tree.word(before), self._tree.word(first)
+            is_anybody = is_person(person) or person.upos == "PROPN" or person.form.lower() in _PERSONS
+            if not is_anybody or not (article.upos == "DET" or article.deprel == "nmod:poss"):
+                continue
+            behind = [index for index in self._fragment.positions if index >= first]
+            heads = [self._tree.word(index) for index in behind if self._tree.word(index).head not in behind]
+            if len(heads) == 1 and heads[0].upos == "NOUN" and not is_person(heads[0]):
+                return person.index, heads[0].index
+        return None
 
     def _left_out(self) -> FrozenSet[int]:
         return frozenset(word.index for word in self._tree.words) - frozenset(self._fragment.positions)
@@ -316,7 +332,8 @@ class _Amending:
             if not unit:
                 return ()
         verb = self._reading.verb.split()
-        tree = behind_verb(self._tree, verb, frozenset(self._fragment.positions), unit)
+        kept = frozenset(self._fragment.positions)
+        tree = behind_verb(self._tree, verb, kept, unit, objects=self._person_and_thing())
         if not tree.is_connected:
             return ()
         sentence = Sentence(tree, self._known.types)

@@ -95,12 +95,14 @@ class Thing:
         noun: the dictionary form of its head, "mug"
         role: the part that it had in what was last done with it; see ``frame_roles.part_of``
         is_plural: whether it is more than one: "the cups", "the cup and the plate"
+        phrases: what named it, one for each item of a list; empty if it filled no element
     """
 
     text: str
     noun: str
     role: str = ""
     is_plural: bool = False
+    phrases: Tuple[TypedArgument, ...] = ()
 
 
 @dataclass(frozen=True)

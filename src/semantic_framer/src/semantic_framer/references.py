@@ -1,9 +1,11 @@
 """Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
-from typing import Iterable, List, Mapping, Optional, Sequence, Union
+from itertools import takewhile
+from typing import Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from phrase_meanings.arguments import ONES, of_same_kind, resolved
+from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
 from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -24,7 +26,11 @@ _PERSONS = frozenset(["Sentient"])
 _PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
+_OF = "of"
 _QUESTION_WORDS = word_class("question_words")
+_SAME = frozenset(["the same", "the same thing"])
+_SIDES = word_class("left_and_right")
+_WHOLE = word_class("determiners_of_all")
 _PLURAL = word_class("plural_pronouns")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
@@ -44,25 +50,46 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         # "Take the spoon, open the box and put it in there."
         place, things = container.text, tuple(thing for thing in things if thing != container)
     for value in reading.arguments:
-        word = value.text.lower()
+        element = frame.element(value.name)
+        amount, word = _pronoun_in(value.text.lower())
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
         is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
-        element = frame.element(value.name)
         is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
             meant = _meant_by(word, things, place, accepted, part, known.types)
-            if not meant:
+            if meant is not None:
+                # "One of them" is "one of the cups".
+                text = f"{amount} {_OF} {meant.text}" if amount else meant.text
+                value = resolved(value, text, () if amount else meant.phrases)
+            elif value.text.lower() not in _WHOLE:
                 return value
-            value = resolved(value, meant)
         elif word in PLACE_PRONOUNS and not is_fixed and place:
             value = resolved(value, place)
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def _pronoun_in(text: str) -> Tuple[str, str]:
+    """Return how many of them a phrase names, and its pronoun: "one", "them" for "one of them".
+
+    Nothing stands before the pronoun when all are meant: "all of them", "them both", "both". "The same" is what was
+    spoken of. A phrase without a pronoun is returned whole.
+    """
+    words = text.split()
+    if words[:-1] and set(words[1:]) <= _WHOLE and words[0] in PRONOUNS:
+        return "", words[0]
+    # "The left of it" is beside it, and no part of it.
+    if len(words) > 2 and words[-2] == _OF and words[-1] in PRONOUNS and not _SIDES & set(words):
+        amount = " ".join(words[:-2])
+        return "" if amount in _WHOLE else amount, words[-1]
+    if text in _WHOLE:
+        return "", "them"
+    return "", "it" if text in _SAME else text
 
 
 def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes) -> Optional[Thing]:
@@ -76,15 +103,34 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
 
 def _meant_by(
     pronoun: str, things: Sequence[Thing], place: str, accepted: Sequence[str], part: str, types: WordTypes
-) -> str:
-    """Return what "it" or "them" stands for, a thing of that number if there is one; empty if nothing was mentioned."""
+) -> Optional[Thing]:
+    """Return what "it" or "them" stands for, a thing of that number if there is one; None if nothing was mentioned."""
     is_plural = pronoun in _PLURAL
     of_number = [one for one in things if one.is_plural is is_plural]
     thing = _thing_meant(of_number or things, accepted, part, types)
+    there = Thing(place, "") if place else None
     wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
-    if not is_plural and _is_rather_there(place, thing if of_number else "", wanted, types):
-        return place
-    return thing or place
+    if not is_plural and _is_rather_there(place, thing.text if thing and of_number else "", wanted, types):
+        return there
+    if is_plural and not of_number and thing is not None:
+        return _together(things, thing)
+    return thing or there
+
+
+def _together(things: Sequence[Thing], last: Thing) -> Thing:
+    """Return all things that were mentioned one after the other, up to the last one: "take the cup, take the plate and
+    bring *them* here". What was only opened or switched on is none of them."""
+    until = things[things.index(last) :]
+    alike = [*takewhile(lambda one: one.role == last.role or one.role not in _TYPES_OF_WHAT_HOLDS, until)][::-1]
+    if len(alike) < 2 or not all(one.phrases for one in alike):
+        return last
+    return Thing(
+        join_with_and(one.text for one in alike),
+        last.noun,
+        last.role,
+        is_plural=True,
+        phrases=tuple(phrase for one in alike for phrase in one.phrases),
+    )
 
 
 def _is_rather_there(place: str, thing: str, wanted: Sequence[str], types: WordTypes) -> bool:
@@ -106,12 +152,12 @@ def noun_phrase(text: str) -> List[str]:
     return words[:end]
 
 
-def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, types: WordTypes) -> str:
+def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, types: WordTypes) -> Optional[Thing]:
     """Return the thing that a pronoun stands for: the last one mentioned that may have one of some types.
 
     A thing of another kind gives way to one that had the same part before: "open the fridge, take the milk out and
     close *it*". So does what was opened or closed to what was moved: "... close it and bring *it* to me". If none may
-    have the types, the last one is meant; empty if nothing was mentioned.
+    have the types, the last one is meant; None if nothing was mentioned.
     """
     likelihoods = {one: types.of_noun([one.noun]) for one in things}
     fitting = [one for one in things if not accepted or likelihoods[one].fit(accepted) is not Fit.WRONG] or things
@@ -119,8 +165,8 @@ def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, ty
     is_like = part or (last is not None and last.role == CONTAINER)
     before = next((one for one in fitting if is_like and one.role == part), last)
     if last is None or before is None or likelihoods[last].likeliest() == likelihoods[before].likeliest():
-        return last.text if last is not None else ""
-    return before.text
+        return last
+    return before
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
@@ -195,5 +241,6 @@ def _remember(
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
             is_plural = value.is_plural or bool(value.members) or (value.count or 1) > 1
-            context = context.with_thing(Thing(value.text, value.lemma, part_of(element.framenet), is_plural))
+            thing = Thing(value.text, value.lemma, part_of(element.framenet), is_plural, value.members or (value,))
+            context = context.with_thing(thing)
     return context

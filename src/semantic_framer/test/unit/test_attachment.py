@@ -12,8 +12,8 @@ from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
 from utterance_passes.clauses import find_clauses
 from utterance_passes.conllu import from_conllu
-from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.vocabulary import Verbs
 
 FRAMES = {

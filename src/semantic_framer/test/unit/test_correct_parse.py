@@ -6,8 +6,8 @@ import pytest
 
 from semantic_framer.framer import Refusal, Understood
 from utterance_passes.conllu import from_conllu
-from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.vocabulary import Verbs
 
 

@@ -18,6 +18,7 @@ _HANDS = word_class("hands")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOT = word_class("not")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+_OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
 _ONES = frozenset(["one", "ones"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _OPPOSITE_SIDES = word_class("opposite_sides")
@@ -28,6 +29,7 @@ _OF_WAYS = frozenset(["down", "up"])
 _SIDES = word_class("sides_of_a_row")
 _TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
+_WHOLE = word_class("determiners_of_all")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
 
@@ -96,6 +98,22 @@ def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(noun.index))
         if is_counted and noun.upos in ("NOUN", "PROPN") and side.head == noun.head:
             edit.rehang(side.index, noun.index, "nmod")
+    return edit.tree()
+
+
+def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach "all" or "both" to the pronoun before it: "put them *both* on the table" has one object."""
+    edit = TreeEdit(tree)
+    for pronoun, whole in zip(tree.words, tree.words[1:]):
+        is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS
+        noun = tree.word(whole.head) if whole.head else whole
+        # "Bring them both a drink": a drink has an article of its own.
+        is_of_noun = any(child.deprel == "det" and child.index > whole.index for child in tree.children(noun.index))
+        is_beside = whole.head == pronoun.head or (is_of_noun and noun.head == pronoun.head)
+        if whole.form.lower() in _WHOLE and is_object and is_beside and not tree.children(whole.index):
+            edit.rehang(whole.index, pronoun.index, "det")
+            if whole.deprel == "obj":
+                edit.relabel(pronoun.index, "obj")
     return edit.tree()
 
 
@@ -214,7 +232,7 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
     if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
         return True
     if forms[0] in ("and", "but") and forms[1:2] and forms[1] in _NOT and word.deprel == "conj":
-        thing = tree.word(word.head)
+        thing = _wanted_instead(tree, word, said[0])
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
         is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
         is_alike = prepositions_of(tree, word.index) == prepositions_of(tree, thing.index)
@@ -222,6 +240,16 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
+
+
+def _wanted_instead(tree: DependencyTree, word: Word, first: Word) -> Word:
+    """Return what is contrasted with a phrase: its head, or, if that is the verb, the phrase of the verb before it: "go
+    *to the hall* and not to the office"."""
+    head = tree.word(word.head)
+    if head.upos != "VERB":
+        return head
+    before = [child for child in tree.children(head.index) if child.deprel == "obl" and child.index < first.index]
+    return before[-1] if before else head
 
 
 def _is_last(tree: DependencyTree, word: Word) -> bool:

@@ -307,7 +307,9 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     """
     words = [tree.word(index) for index in sorted(positions - tree.quoted - _said_of_others(tree, verb, positions))]
     forms = [word.form.lower() for word in words]
-    if any(f"{form} {after}" in _NO_LONGER for form, after in zip(forms, forms[1:])):
+    # "No more than three cups" is a bound.
+    pairs = [(form, after) for form, after, word in zip(forms, forms[1:], words[1:]) if word.deprel != "fixed"]
+    if any(" ".join(pair) in _NO_LONGER for pair in pairs):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
     if any(_is_excluded(tree, word) for word in words):

@@ -29,6 +29,8 @@ _SEVERAL_TURNS = frozenset(["turns", "circles"])
 #: Parts of speech that can precede a noun, and their relations to the noun.
 _OF_A_TURN = {"DET": "det", "NUM": "nummod", "NOUN": "compound", "ADJ": "amod", "ADV": "amod", "SYM": "punct"}
 _PER = word_class("words_for_each")
+#: Tags of a verb that only a finite one has.
+_FINITE_TAGS = frozenset(["VBZ", "VBD"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
 
 
@@ -51,7 +53,7 @@ def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         # "Bring the watering can to the hall": no hall has an auxiliary.
         helped = tree.word(modal.head) if modal.head else modal
         is_of_noun = helped.upos == "NOUN" and helped.index > modal.index and has_case(tree, helped) and not below
-        if helps_nothing or is_behind_its_verb or is_of_noun:
+        if helps_nothing or is_behind_its_verb or is_of_noun or _is_before_finite(tree, modal):
             edit = TreeEdit(tree)
             edit.rehang_children(before.index, modal.index)
             head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
@@ -60,6 +62,12 @@ def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             edit.rehang(before.index, modal.index, "compound")
             tree = edit.tree()
     return tree
+
+
+def _is_before_finite(tree: DependencyTree, modal: Word) -> bool:
+    """Whether a finite verb follows, which no modal has: "if the trash *can is* full"."""
+    following = tree.word(modal.index + 1) if modal.index < len(tree.words) else modal
+    return following.xpos in _FINITE_TAGS and modal.deprel.startswith("aux")
 
 
 def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

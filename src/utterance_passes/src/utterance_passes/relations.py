@@ -163,6 +163,18 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
     return edit.tree()
 
 
+def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of an object that has a subject and a copula: "find out *what time it is*"."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        children = tree.children(word.index)
+        copulas = [child for child in children if child.deprel == "cop"]
+        below = [*children, *(inner for copula in copulas for inner in tree.children(copula.index))]
+        if word.deprel == "obj" and copulas and any(child.deprel.startswith("nsubj") for child in below):
+            edit.relabel(word.index, "ccomp")
+    return edit.tree()
+
+
 def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*"."""
     edit = TreeEdit(tree)

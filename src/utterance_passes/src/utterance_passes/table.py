@@ -1,6 +1,6 @@
 """Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another.
 
-``text_table`` has the passes on text, ``correcting_table`` those that correct the parse.
+``text_table`` has the passes on text; ``clause_table`` and ``attaching_table`` have those that correct the parse.
 """
 
 from typing import Tuple
@@ -21,7 +21,8 @@ from utterance_passes import (
     tagging,
     times,
 )
-from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
+from utterance_passes.attaching_table import ATTACHING_PASSES
+from utterance_passes.clause_table import CLAUSE_PASSES
 from utterance_passes.joined_table import JOINING_PASSES
 from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.utterance_pass import (
@@ -144,6 +145,17 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Example("take|VERB the|DET mug|NOUN angrily|NOUN", ("4 ADV RB",), Verbs(frozenset(["take"]))),
         Stage.PARSER,
         tagging.adverbs,
+    ),
+    TagPass(
+        "prepositions_as_verbs",
+        "Tag a word before a noun as a preposition that the tagger took for a verb.",
+        Example(
+            "go|VERB to|ADP rooms|NOUN opposite|VERB the|DET lift|NOUN",
+            ("4 ADP IN",),
+            Verbs(frozenset(["go"])),
+        ),
+        Stage.PARSER,
+        tagging.prepositions_as_verbs,
     ),
     TagPass(
         "gerunds_as_nouns",
@@ -293,6 +305,9 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
         corrections.without_corrected,
     ),
 )
+
+#: Correct the parse; they run on trees that other programs learn from, too.
+PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = CLAUSE_PASSES + ATTACHING_PASSES
 
 #: Correct the parse, replace or set aside phrases of the speaker, and mark clauses and times.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (

@@ -23,6 +23,7 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 _CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
 _LEAD_IN = word_class("lead_in")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
@@ -189,6 +190,16 @@ def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         if not form.lower().endswith(_COMPARING)
         for parts in [parts_of_speech(form)]
         if ADVERB in parts and not parts & {NOUN, VERB}
+    )
+
+
+def prepositions_as_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word before a noun as a preposition that the tagger took for a verb: "the room *opposite* the lift"."""
+    return tuple(
+        Retag(position, "ADP", "IN")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "VERB" and position < len(forms) and tags[position] in _NOUNS
+        if form.lower() in _PLACE_PREPOSITIONS and VERB not in parts_of_speech(form.lower())
     )
 
 

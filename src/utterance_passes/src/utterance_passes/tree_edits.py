@@ -1,7 +1,7 @@
 """Derives one dependency tree from another; no other module does. An edit either gives a tree or fails."""
 
 from dataclasses import dataclass, replace
-from typing import AbstractSet, Callable, FrozenSet, List, Sequence, Tuple, Union
+from typing import AbstractSet, Callable, FrozenSet, List, Optional, Sequence, Tuple, Union
 
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 
@@ -230,7 +230,12 @@ def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
 
 
 def behind_verb(
-    tree: DependencyTree, verb: Sequence[str], kept: AbstractSet[int], last_word: str = ""
+    tree: DependencyTree,
+    verb: Sequence[str],
+    kept: AbstractSet[int],
+    last_word: str = "",
+    *,
+    objects: Optional[Tuple[int, int]] = None,
 ) -> DependencyTree:
     """Put the words of a fragment behind a verb that was not said: "ten feet" becomes "move ten feet".
 
@@ -239,6 +244,7 @@ def behind_verb(
         verb: words of the verb; they get the first positions
         kept: positions of the words of the fragment that count; the others become asides
         last_word: a noun that the fragment leaves out, after its last kept word; empty for none
+        objects: the heads of a person and a thing that are both objects of the verb: "Bob a tea"; None for other words
     """
     shift = len(verb)
     said = " ".join(verb)
@@ -254,6 +260,8 @@ def behind_verb(
         deprel = word.deprel
         if word.index not in kept:
             head, deprel = 0, "punct" if word.upos == "PUNCT" else ASIDE
+        elif objects is not None and word.index in objects:
+            head, deprel = 0, "iobj" if word.index == objects[0] else "obj"
         elif is_top:
             deprel = _relation_of_top(tree, word, kept)
         words.append(

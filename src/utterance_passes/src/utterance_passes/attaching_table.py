@@ -1,4 +1,4 @@
-"""Lists the passes that correct the parse of a command, in the order of running; ``table`` has all others."""
+"""Lists the passes that attach phrases where they can belong, in the order of running; ``table`` has all passes."""
 
 from typing import Tuple
 
@@ -20,74 +20,7 @@ from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
 #: Attach words where they can belong in a command; the words stay the same.
-PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
-        "modals_as_nouns",
-        "Turn a modal after a noun into a noun if it helps no verb.",
-        Example(
-            "take|VERB|0|root corn|NOUN|1|obj can|AUX|1|aux|can|MD",
-            ("corn: obj(take) -> compound(can)", "can: aux(take) AUX/can -> obj(take) NOUN/can"),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_modals_as_nouns,
-    ),
-    TreePass(
-        "commands_behind_statements",
-        "Make a clause of its own of a command behind a statement.",
-        Example(
-            "Bob|PROPN|2|nsubj needs|VERB|0|root|need|VBZ air|NOUN|2|obj ,|PUNCT|5|punct open|VERB|2|conj|open|VB "
-            "doors|NOUN|5|obj",
-            ("open: conj(needs) -> parataxis(needs)",),
-            Verbs(frozenset(["open"])),
-        ),
-        Stage.FRAMER,
-        relations.with_commands_behind_statements,
-    ),
-    TreePass(
-        "remarks",
-        "Make a clause of its own of a whole sentence behind a noun.",
-        Example(
-            "bring|VERB|0|root water|NOUN|1|obj I|PRON|5|nsubj am|AUX|5|cop thirsty|ADJ|2|acl:relcl",
-            ("thirsty: acl:relcl(water) -> parataxis(bring)",),
-        ),
-        Stage.FRAMER,
-        relations.with_remarks_apart,
-    ),
-    TreePass(
-        "prepositions_at_names",
-        "Attach a preposition to the noun right behind it.",
-        Example(
-            "look|VERB|0|root for|ADP|5|case Adam|PROPN|1|obl at|ADP|5|case doors|NOUN|1|obl",
-            ("for: case(doors) -> case(Adam)",),
-        ),
-        Stage.FRAMER,
-        relations.with_prepositions_at_names,
-    ),
-    TreePass(
-        "asked_clauses",
-        "Make a clause behind the person who is asked a question, not a condition.",
-        Example(
-            "ask|VERB|0|root Bob|PROPN|1|obj if|SCONJ|5|mark he|PRON|5|nsubj|he sees|VERB|1|advcl",
-            ("Bob: obj(ask) -> iobj(ask)", "sees: advcl(ask) -> ccomp(ask)"),
-        ),
-        Stage.FRAMER,
-        relations.with_asked_clauses,
-    ),
-    TreePass(
-        "told_predicates",
-        "Make a clause of a predicate behind the question that is to be told.",
-        Example(
-            "tell|VERB|0|root what|DET|3|det day|NOUN|1|obj is|AUX|1|cop|be Monday|PROPN|1|obl:unmarked",
-            (
-                "day: obj(tell) -> nsubj(Monday)",
-                "is: cop(tell) -> cop(Monday)",
-                "Monday: obl:unmarked(tell) -> ccomp(tell)",
-            ),
-            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
-        ),
-        Stage.FRAMER,
-        relations.with_told_predicates,
-    ),
+ATTACHING_PASSES: Tuple[TreePass, ...] = (
     TreePass(
         "hands_at_verbs",
         "Attach the robot's own hand to the verb, not to the object.",
@@ -128,6 +61,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         attached_phrases.with_places_in_a_row,
+    ),
+    TreePass(
+        "wholes_at_pronouns",
+        'Attach "all" or "both" to the pronoun before it.',
+        Example(
+            "bring|VERB|0|root them|PRON|1|iobj all|DET|1|obj",
+            ("them: iobj(bring) -> obj(bring)", "all: obj(bring) -> det(them)"),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_wholes_at_pronouns,
     ),
     TreePass(
         "purposes_of_things",
@@ -378,6 +321,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_persons_told,
+    ),
+    TreePass(
+        "things_added",
+        'Join a thing behind "and" to the object, not to the person or the place before it.',
+        Example(
+            "bring|VERB|0|root cups|NOUN|1|obj|cup to|ADP|4|case Bob|PROPN|1|obl and|CCONJ|6|cc forks|NOUN|4|conj|fork",
+            ("forks: conj(Bob) -> conj(cups)",),
+        ),
+        Stage.FRAMER,
+        objects_behind.with_things_added,
     ),
     TreePass(
         "objects_behind",

@@ -1,0 +1,102 @@
+"""Lists the passes that correct nouns, counts and clauses of a parse, in the order of running; ``table`` has all."""
+
+from typing import Tuple
+
+from utterance_passes import bounded_counts, correct_parse, relations
+from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.vocabulary import Speech, Verbs
+
+#: Make nouns, counts and clauses of what the parser takes for something else.
+CLAUSE_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "modals_as_nouns",
+        "Turn a modal after a noun into a noun if it helps no verb.",
+        Example(
+            "take|VERB|0|root corn|NOUN|1|obj can|AUX|1|aux|can|MD",
+            ("corn: obj(take) -> compound(can)", "can: aux(take) AUX/can -> obj(take) NOUN/can"),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_modals_as_nouns,
+    ),
+    TreePass(
+        "bounded_counts",
+        'Attach a bound to its number: "up to three apples".',
+        Example(
+            "bring|VERB|0|root up|ADP|1|compound:prt to|ADP|5|case three|NUM|5|nummod apples|NOUN|1|obl",
+            (
+                "up: compound:prt(bring) ADP/up -> advmod(three) ADV/up",
+                "to: case(apples) -> fixed(up)",
+                "apples: obl(bring) -> obj(bring)",
+            ),
+        ),
+        Stage.FRAMER,
+        bounded_counts.with_bounded_counts,
+    ),
+    TreePass(
+        "commands_behind_statements",
+        "Make a clause of its own of a command behind a statement.",
+        Example(
+            "Bob|PROPN|2|nsubj needs|VERB|0|root|need|VBZ air|NOUN|2|obj ,|PUNCT|5|punct open|VERB|2|conj|open|VB "
+            "doors|NOUN|5|obj",
+            ("open: conj(needs) -> parataxis(needs)",),
+            Verbs(frozenset(["open"])),
+        ),
+        Stage.FRAMER,
+        relations.with_commands_behind_statements,
+    ),
+    TreePass(
+        "remarks",
+        "Make a clause of its own of a whole sentence behind a noun.",
+        Example(
+            "bring|VERB|0|root water|NOUN|1|obj I|PRON|5|nsubj am|AUX|5|cop thirsty|ADJ|2|acl:relcl",
+            ("thirsty: acl:relcl(water) -> parataxis(bring)",),
+        ),
+        Stage.FRAMER,
+        relations.with_remarks_apart,
+    ),
+    TreePass(
+        "prepositions_at_names",
+        "Attach a preposition to the noun right behind it.",
+        Example(
+            "look|VERB|0|root for|ADP|5|case Adam|PROPN|1|obl at|ADP|5|case doors|NOUN|1|obl",
+            ("for: case(doors) -> case(Adam)",),
+        ),
+        Stage.FRAMER,
+        relations.with_prepositions_at_names,
+    ),
+    TreePass(
+        "asked_clauses",
+        "Make a clause behind the person who is asked a question, not a condition.",
+        Example(
+            "ask|VERB|0|root Bob|PROPN|1|obj if|SCONJ|5|mark he|PRON|5|nsubj|he sees|VERB|1|advcl",
+            ("Bob: obj(ask) -> iobj(ask)", "sees: advcl(ask) -> ccomp(ask)"),
+        ),
+        Stage.FRAMER,
+        relations.with_asked_clauses,
+    ),
+    TreePass(
+        "told_predicates",
+        "Make a clause of a predicate behind the question that is to be told.",
+        Example(
+            "tell|VERB|0|root what|DET|3|det day|NOUN|1|obj is|AUX|1|cop|be Monday|PROPN|1|obl:unmarked",
+            (
+                "day: obj(tell) -> nsubj(Monday)",
+                "is: cop(tell) -> cop(Monday)",
+                "Monday: obl:unmarked(tell) -> ccomp(tell)",
+            ),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_told_predicates,
+    ),
+    TreePass(
+        "predicates_as_clauses",
+        "Make a clause of an object that has a subject and a copula.",
+        Example(
+            "tell|VERB|0|root what|DET|3|det time|NOUN|1|obj it|PRON|3|nsubj is|AUX|3|cop",
+            ("time: obj(tell) -> ccomp(tell)",),
+        ),
+        Stage.FRAMER,
+        relations.with_predicates_as_clauses,
+    ),
+)
