@@ -1,13 +1,14 @@
 """Places behind a noun, attached by what the robot knows: what describes a thing, and where it shall be."""
 
 from dataclasses import replace
-from typing import Optional
+from typing import Optional, Tuple
 
 import pytest
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_frames.frame import UnknownPolicy
+from typed_arguments import Source
 from world_model import World
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
@@ -139,3 +140,22 @@ def test_a_frame_says_what_happens_with_an_unknown_thing(
     # What is known, and what nobody can know: without a world there is nothing to compare with.
     assert in_home.understand("grasp the cup").reply.code == "DONE"
     assert in_home.in_world(World()).understand("grasp the vase").reply.code == "DONE"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Put the book in the box and close it.", ("box_1",)),
+        ("Take the book out of the box and close it.", ("box_1",)),
+        ("Go to the shelf, take the book and put it there.", ("book_1",)),
+        ("Take the plate, take the book and bring them to Anna.", ("plate_1", "book_1")),
+        ("Take the plate and the book and put them both on the table.", ("plate_1", "book_1")),
+        ("Take the red mug and bring it to Anna.", ()),
+    ],
+)
+def test_a_pronoun_refers_to_what_it_stands_for(
+    pipeline: Pipeline, home: World, text: str, meant: Tuple[str, ...]
+) -> None:
+    pronoun = pipeline.in_world(home).understand(text).readings[-1].arguments[0]
+    assert pronoun.source is Source.INFERRED
+    assert pronoun.referents == meant

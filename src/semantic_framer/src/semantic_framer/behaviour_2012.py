@@ -79,11 +79,9 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
         return replace(reading, arguments=tuple(shortened(value) for value in reading.arguments))
 
     clauses = tuple(tuple(with_words(reading) for reading in readings) for readings in understood.clauses)
-    remembered = replace(
-        context,
-        things=tuple(replace(one, text=head_of.get(one.text, one.text)) for one in context.things),
-        place=head_of.get(context.place, context.place),
-    )
+    things = tuple(replace(one, text=head_of.get(one.text, one.text)) for one in context.things)
+    place = context.place and replace(context.place, text=head_of.get(context.place.text, context.place.text))
+    remembered = replace(context, things=things, place=place)
     return replace(understood, clauses=clauses), remembered
 
 

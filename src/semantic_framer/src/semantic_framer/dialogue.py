@@ -113,14 +113,14 @@ class Context:
         pending: the open question; None if there is none
         last: the last command; None if there is none, or if it may not be repeated
         things: the things mentioned, the last one first; at most ``MOST_THINGS``
-        place: the last place mentioned, "the kitchen"; empty if there is none
+        place: the last place mentioned, "the kitchen"; None if there is none
         spoken_of: the things that were mentioned, the last one first
     """
 
     pending: Optional[Pending] = None
     last: Optional[LastCommand] = None
     things: Tuple[Thing, ...] = ()
-    place: str = ""
+    place: Optional[Thing] = None
     spoken_of: Tuple[Mention, ...] = ()
 
     @property

@@ -27,6 +27,9 @@ _PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 _OF = "of"
+#: Words before a noun that are left out when a part of it is meant: "one of the cups" for "some cups".
+_BEFORE_PARTS = word_class("determiners_of_all") | word_class("determiners_of_any") | frozenset(["of"])
+_DEFINITE = word_class("determiners_and_possessives") - word_class("indefinite_articles")
 _QUESTION_WORDS = word_class("question_words")
 _SAME = frozenset(["the same", "the same thing"])
 _SIDES = word_class("left_and_right")
@@ -48,7 +51,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
     container = _container_meant(reading, things, known.types)
     if container is not None and len(things) > 1:
         # "Take the spoon, open the box and put it in there."
-        place, things = container.text, tuple(thing for thing in things if thing != container)
+        place, things = container, tuple(thing for thing in things if thing != container)
     for value in reading.arguments:
         element = frame.element(value.name)
         amount, word = _pronoun_in(value.text.lower())
@@ -63,13 +66,12 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             part = part_of(element.framenet) if element else ""
             meant = _meant_by(word, things, place, accepted, part, known.types)
             if meant is not None:
-                # "One of them" is "one of the cups".
-                text = f"{amount} {_OF} {meant.text}" if amount else meant.text
+                text = part_of_text(amount, meant.text) if amount else meant.text
                 value = resolved(value, text, () if amount else meant.phrases)
             elif value.text.lower() not in _WHOLE:
                 return value
-        elif word in PLACE_PRONOUNS and not is_fixed and place:
-            value = resolved(value, place)
+        elif word in PLACE_PRONOUNS and not is_fixed and place is not None:
+            value = resolved(value, place.text, place.phrases)
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
 
@@ -92,6 +94,15 @@ def _pronoun_in(text: str) -> Tuple[str, str]:
     return "", "it" if text in _SAME else text
 
 
+def part_of_text(amount: str, whole: str) -> str:
+    """Return the words for a part of what was mentioned: "one of the cups" for "one" and "all cups"."""
+    words = whole.split()
+    while words[1:] and words[0].lower() in _BEFORE_PARTS:
+        words = words[1:]
+    is_definite = words[0].lower() in _DEFINITE or words[0][:1].isupper()
+    return " ".join([amount, _OF, *([] if is_definite else ["the"]), *words])
+
+
 def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes) -> Optional[Thing]:
     """Return the last container mentioned, if something is put into one: "put it in there"; None otherwise."""
     spoken = {value.text.lower(): value for value in reading.arguments if value.positions}
@@ -102,19 +113,23 @@ def _container_meant(reading: Reading, things: Sequence[Thing], types: WordTypes
 
 
 def _meant_by(
-    pronoun: str, things: Sequence[Thing], place: str, accepted: Sequence[str], part: str, types: WordTypes
+    pronoun: str,
+    things: Sequence[Thing],
+    place: Optional[Thing],
+    accepted: Sequence[str],
+    part: str,
+    types: WordTypes,
 ) -> Optional[Thing]:
     """Return what "it" or "them" stands for, a thing of that number if there is one; None if nothing was mentioned."""
     is_plural = pronoun in _PLURAL
     of_number = [one for one in things if one.is_plural is is_plural]
     thing = _thing_meant(of_number or things, accepted, part, types)
-    there = Thing(place, "") if place else None
     wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
-    if not is_plural and _is_rather_there(place, thing.text if thing and of_number else "", wanted, types):
-        return there
+    if not is_plural and _is_rather_there(place, thing if of_number else None, wanted, types):
+        return place
     if is_plural and not of_number and thing is not None:
         return _together(things, thing)
-    return thing or there
+    return thing or place
 
 
 def _together(things: Sequence[Thing], last: Thing) -> Thing:
@@ -133,15 +148,15 @@ def _together(things: Sequence[Thing], last: Thing) -> Thing:
     )
 
 
-def _is_rather_there(place: str, thing: str, wanted: Sequence[str], types: WordTypes) -> bool:
+def _is_rather_there(place: Optional[Thing], thing: Optional[Thing], wanted: Sequence[str], types: WordTypes) -> bool:
     """Whether a place has one of some types and a thing has none: "put the sample into the centrifuge and start it",
     "put the milk in the fridge and close it"."""
     # "Part number 7" is a part: any of its words may say what it is.
-    of_thing = [types.of_noun([word]).fit(wanted) for word in noun_phrase(thing)]
+    of_thing = [types.of_noun([word]).fit(wanted) for word in noun_phrase(thing.text if thing else "")]
     is_no_such_thing = all(fit in (Fit.WRONG, Fit.UNKNOWN) for fit in of_thing)
-    return (
-        bool(place and wanted) and is_no_such_thing and types.of_noun(noun_phrase(place)[-1:]).fit(wanted) is Fit.LIKELY
-    )
+    if place is None or not wanted or not is_no_such_thing:
+        return False
+    return types.of_noun(noun_phrase(place.text)[-1:]).fit(wanted) is Fit.LIKELY
 
 
 def noun_phrase(text: str) -> List[str]:
@@ -159,12 +174,12 @@ def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, ty
     close *it*". So does what was opened or closed to what was moved: "... close it and bring *it* to me". If none may
     have the types, the last one is meant; None if nothing was mentioned.
     """
-    likelihoods = {one: types.of_noun([one.noun]) for one in things}
-    fitting = [one for one in things if not accepted or likelihoods[one].fit(accepted) is not Fit.WRONG] or things
+    likelihoods = {one.noun: types.of_noun([one.noun]) for one in things}
+    fitting = [one for one in things if not accepted or likelihoods[one.noun].fit(accepted) is not Fit.WRONG] or things
     last = next(iter(fitting), None)
     is_like = part or (last is not None and last.role == CONTAINER)
     before = next((one for one in fitting if is_like and one.role == part), last)
-    if last is None or before is None or likelihoods[last].likeliest() == likelihoods[before].likeliest():
+    if last is None or before is None or likelihoods[last.noun].likeliest() == likelihoods[before.noun].likeliest():
         return last
     return before
 
@@ -238,7 +253,7 @@ def _remember(
         is_thing = value.semantic_type and not value.relation and "Location" not in with_parents(value.semantic_type)
         # "When the bell rings, go to the door and open it": what is gone to counts for more.
         if (element.framenet in PLACES and not is_thing) or (frame.is_condition and element.framenet == _SOUND_SOURCE):
-            context = replace(context, place=value.text)
+            context = replace(context, place=Thing(value.text, value.lemma, phrases=(value,)))
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
             is_plural = value.is_plural or bool(value.members) or (value.count or 1) > 1
             thing = Thing(value.text, value.lemma, part_of(element.framenet), is_plural, value.members or (value,))

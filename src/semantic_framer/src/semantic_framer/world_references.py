@@ -6,12 +6,14 @@ from typing import List, Optional, Tuple
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
 from referring_expressions.describing import noun_of, question_of_speaker
 from referring_expressions.fitting import is_of_unknown_speaker
+from referring_expressions.resolving import MOST_REFERENTS
 from semantic_framer.dialogue import PRONOUNS, Context, Mention
 from semantic_framer.frame_roles import MESSAGE, NAME, NO_THINGS, PLACES
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
+from semantic_framer.references import part_of_text
 from semantic_frames.frame import FrameElement
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 
 #: Things that are remembered as spoken of.
@@ -26,6 +28,10 @@ _NO_REFERENTS = (NO_THINGS | {MESSAGE, NAME, "Time", "State", "Topic", "Category
 _PRONOUNS = word_class("pronouns") | word_class("here_and_there")
 _PERSONS = word_class("pronouns_of_persons")
 _STANDINS = word_class("noun_standins")
+#: Quantifiers of one thing of a kind, which is the one that was spoken of from then on.
+_ONE_OF_A_KIND = frozenset(["a", "another"])
+#: Quantifiers that do not say which things are meant.
+_SOME = frozenset(["some", "any", "several", "many", "few", "most"])
 
 
 @dataclass(frozen=True)
@@ -55,12 +61,44 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
         if argument.referents or not _may_refer(frame.element(argument.name), argument):
             arguments.append(argument)
             continue
+        meant = _antecedent(argument, context)
+        if meant is not None:
+            arguments.append(_like(argument, meant, situation))
+            continue
         found = resolve(argument, situation)
         is_open = found is not None and (found.is_ambiguous or is_of_unknown_speaker(argument, situation))
         if found is not None and found.objects and is_open and not frame.is_question:
             unclear = unclear or _unclear(argument, found, situation)
         arguments.append(argument if is_open else with_referents(argument, situation))
     return replace(reading, arguments=tuple(arguments)), unclear
+
+
+def _antecedent(argument: TypedArgument, context: Context) -> Optional[TypedArgument]:
+    """Return the phrase that a resolved pronoun stands for: "the fridge" for "it"; None if there is no such phrase."""
+    if argument.source is not Source.INFERRED or argument.members:
+        return None
+    for thing in [*context.things, *([context.place] if context.place is not None else [])]:
+        if len(thing.phrases) != 1:
+            continue
+        (phrase,) = thing.phrases
+        if thing.text == argument.text:
+            is_one = phrase.quantifier in _ONE_OF_A_KIND and not phrase.is_plural
+            return replace(phrase, quantifier="the") if is_one else phrase
+        if argument.count and argument.text.endswith(part_of_text("", thing.text)):
+            return replace(phrase, quantifier="any", count=argument.count)
+    return None
+
+
+def _like(argument: TypedArgument, meant: TypedArgument, situation: Situation) -> TypedArgument:
+    """Return a pronoun with the referents of what it stands for; with none where those are not certain."""
+    argument = replace(argument, world_version=situation.world.version)
+    found = resolve(meant, situation)
+    # "Three apples" are some of those that are known; a part of them may be any.
+    is_open = meant.quantifier in _SOME if meant.count is None else not meant.quantifier
+    is_certain = found is not None and not found.is_ambiguous and not is_open
+    if found is None or not is_certain or is_of_unknown_speaker(meant, situation):
+        return argument
+    return replace(argument, referents=found.ids[:MOST_REFERENTS], referent_count=found.count)
 
 
 def unknown_arguments(reading: Reading, known: FramedLexicon) -> Tuple[TypedArgument, ...]:
