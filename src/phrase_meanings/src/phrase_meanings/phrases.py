@@ -30,6 +30,7 @@ _QUESTION_WORDS = word_class("question_words")
 _RELATIVE_WORDS = word_class("relative_words")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
 _BEING_LOCATED, _THEME, _LOCATION = "being_located", "theme", "location"
+_ADDING = frozenset(["as", "but"])
 _BEFORE_LISTS = word_class("words_before_lists")
 _ORDER = word_class("adverbs_of_order") | word_class("additive_adverbs")
 _CLITICS = frozenset(["'s", "'", "’s", "’"])
@@ -364,7 +365,9 @@ def _conjunction(tree: DependencyTree, conjuncts: Iterable[Word]) -> str:
     coordinators = (
         inner.form.lower() for conjunct in conjuncts for inner in tree.children(conjunct.index) if inner.deprel == "cc"
     )
-    return next(coordinators, "and")
+    said = next(coordinators, "and")
+    # "Not only the cup but also the plate", "the cup as well as the plate".
+    return "and" if said in _ADDING else said
 
 
 def _direction(tree: DependencyTree, head: int, extent: _Extent) -> str:

@@ -180,10 +180,12 @@ def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             continue
         if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
             continue
-        if _is_of_all(tree, tree.word(thing.head)) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):
+        head = tree.word(thing.head)
+        every = before if head.upos == "VERB" and before.head == head.index and before.deprel == "obj" else head
+        if _is_of_all(tree, every) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):
             edit.retag(but.index, "ADP", "IN")
             edit.relabel(but.index, "case")
-            edit.relabel(thing.index, "nmod")
+            edit.rehang(thing.index, every.index, "nmod")
     return edit.tree()
 
 

@@ -3,6 +3,7 @@
 from typing import Tuple
 
 from utterance_passes import (
+    additions,
     attached_phrases,
     avoided_places,
     awaited_deeds,
@@ -138,6 +139,17 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         awaited_deeds.with_awaited_deeds,
+    ),
+    TreePass(
+        "sides_in_order",
+        'Attach "then" to the side right behind it, and each side to the verb.',
+        Example(
+            "turn|VERB|0|root left|ADV|1|advmod then|ADV|6|advmod right|ADV|6|advmod then|ADV|6|advmod "
+            "left|ADV|1|advmod",
+            ("then: advmod(left-6) -> advmod(right)", "right: advmod(left-6) -> advmod(turn)"),
+        ),
+        Stage.FRAMER,
+        items_in_order.with_sides_in_order,
     ),
     TreePass(
         "items_in_order",
@@ -330,7 +342,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
             ("forks: conj(Bob) -> conj(cups)",),
         ),
         Stage.FRAMER,
-        objects_behind.with_things_added,
+        additions.with_things_added,
     ),
     TreePass(
         "objects_behind",

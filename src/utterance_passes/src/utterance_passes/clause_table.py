@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import bounded_counts, correct_parse, relations
+from utterance_passes import additions, bounded_counts, correct_parse, relations
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -17,6 +17,30 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_modals_as_nouns,
+    ),
+    TreePass(
+        "as_well_as",
+        'Make "and" of "as well as".',
+        Example(
+            "take|VERB|0|root cups|NOUN|1|obj as|ADV|6|cc well|ADV|3|fixed as|ADP|6|case plates|NOUN|1|obl",
+            (
+                "well: fixed(as-3) -> cc(plates)",
+                "as: case(plates) -> cc(plates)",
+                "plates: obl(take) -> conj(cups)",
+            ),
+        ),
+        Stage.FRAMER,
+        additions.with_as_well_as,
+    ),
+    TreePass(
+        "not_only",
+        'Set "not only" aside before "but".',
+        Example(
+            "take|VERB|0|root not|PART|1|advmod only|ADV|4|advmod cups|NOUN|1|obj but|CCONJ|6|cc plates|NOUN|4|conj",
+            ("not: advmod(take) -> discourse:aside(take)", "only: advmod(cups) -> discourse:aside(take)"),
+        ),
+        Stage.FRAMER,
+        additions.without_not_only,
     ),
     TreePass(
         "bounded_counts",
@@ -88,6 +112,18 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_told_predicates,
+    ),
+    TreePass(
+        "hearers_joined",
+        'Join a person behind "and" to the hearer before it, not to what the hearer is told.',
+        Example(
+            "tell|VERB|0|root him|PRON|1|iobj and|CCONJ|7|cc Bob|PROPN|7|nsubj where|ADV|7|advmod you|PRON|7|nsubj "
+            "live|VERB|1|ccomp",
+            ("and: cc(live) -> cc(Bob)", "Bob: nsubj(live) -> conj(him)"),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_hearers_joined,
     ),
     TreePass(
         "predicates_as_clauses",

@@ -1,25 +1,19 @@
 """Attaches an object that stands behind other phrases to its verb: "bring to Bob at the table *the dish*"."""
 
-from typing import Sequence, Tuple
+from typing import Tuple
 
 from semantic_types import Fit, shipped_types
-from utterance_passes.clauses import has_case
 from utterance_passes.persons import is_person
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
-#: "Too", "also" and the first word of "as well".
-_ADDITIVES = word_class("additive_adverbs") | frozenset(["as"])
-#: What is not brought to anybody.
-_FIXED = ("Location", "Furniture", "Portal")
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
 _GOING = word_class("verbs_of_going")
 _OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
 _SAYING = word_class("saying_verbs")
-_THINGS = ("Physical_object", "Substance", "Fluid")
 _THING_PRONOUNS = frozenset(["it", "them"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
@@ -59,48 +53,6 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
-
-
-def with_things_added(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Join a thing behind "and" to the object, not to the person or the place before it.
-
-    "Bring the cup to Anna *and the fork*" names no second goal, nor does "put the cup in the sink *and the fork too*".
-    """
-    edit = TreeEdit(tree)
-    for thing in tree.words:
-        goal = tree.word(thing.head) if thing.head else thing
-        above = tree.word(goal.head) if goal.head else goal
-        joints = [child.form.lower() for child in tree.children(thing.index) if child.deprel == "cc"]
-        if thing.deprel != "conj" or thing.upos != "NOUN" or joints != ["and"] or has_case(tree, thing):
-            continue
-        if goal.upos == "VERB":
-            verb = goal
-        else:
-            verb = tree.word(above.head) if goal.deprel == "nmod" and above.deprel == "obj" else above
-        objects = [child for child in tree.children(verb.index) if child.deprel == "obj" and child.index < thing.index]
-        is_behind_phrase = goal is verb or goal.deprel in ("obl", "nmod")
-        if verb.upos != "VERB" or not is_behind_phrase or len(objects) != 1 or is_person(objects[0]):
-            continue
-        is_added = bool(_ADDITIVES.intersection(word.form.lower() for word in _around(tree, thing)))
-        is_no_goal = goal is not verb and _is_person_or_place(goal) and not _fits(thing, _FIXED)
-        if _fits(thing, _THINGS) and (is_added or is_no_goal):
-            edit.rehang(thing.index, objects[0].index)
-    return edit.tree()
-
-
-def _around(tree: DependencyTree, phrase: Word) -> Tuple[Word, ...]:
-    """Return the words of a phrase, and the word behind it."""
-    behind = max(tree.subtree(phrase.index)) + 1
-    return tuple(word for word in tree.words if word.index in tree.subtree(phrase.index) or word.index == behind)
-
-
-def _is_person_or_place(word: Word) -> bool:
-    is_anybody = is_person(word) or word.upos == "PROPN" or word.form.lower() in _OBJECT_PRONOUNS
-    return is_anybody or _fits(word, ("Location",))
-
-
-def _fits(word: Word, types: Sequence[str]) -> bool:
-    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY
 
 
 def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
@@ -175,7 +127,7 @@ def _behind_place(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
 
 
 def _is_thing(word: Word) -> bool:
-    return _fits(word, ("Physical_object",))
+    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:

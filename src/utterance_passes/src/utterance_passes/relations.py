@@ -18,6 +18,8 @@ _OF_FINITE = frozenset(["nsubj", "csubj", "aux", "cc", "mark", "expl"])
 _OF_REMARKS = word_class("speaker_subjects") | frozenset(["it"])
 _QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
+#: Words with which begins what is told.
+_OPENINGS = _QUESTION_WORDS | _WHETHER | frozenset(["that"])
 
 
 def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -160,6 +162,26 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
         for word in between:
             if not verb.index < word.head < copula.index:
                 edit.rehang(word.index, predicate.index, "nsubj")
+    return edit.tree()
+
+
+def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Join a person behind "and" to the hearer, not to what the hearer is told: "tell her *and Bob* that dinner is
+    ready" tells nothing of Bob."""
+    edit = TreeEdit(tree)
+    for hearer, joint, person, opening in zip(tree.words, tree.words[1:], tree.words[2:], tree.words[3:]):
+        verb = tree.word(hearer.head) if hearer.head else hearer
+        is_telling = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
+        is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and person.head != hearer.index
+        is_anybody = person.upos == "PROPN" or is_person(person)
+        if not (is_telling and is_joined and is_anybody) or opening.form.lower() not in _OPENINGS:
+            continue
+        edit.rehang(person.index, hearer.index, "conj")
+        edit.rehang(joint.index, person.index, "cc")
+        clauses = [child for child in tree.children(verb.index) if child.deprel == "ccomp"]
+        if opening.deprel == "det" and clauses and opening.form.lower() == "that":
+            edit.retag(opening.index, "SCONJ", "IN")
+            edit.rehang(opening.index, clauses[0].index, "mark")
     return edit.tree()
 
 

@@ -124,6 +124,17 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.sides_alone,
     ),
     TagPass(
+        "nouns_in_lists",
+        "Tag an item of a list as a noun that the tagger took for a verb.",
+        Example(
+            "bring|VERB knives|NOUN ,|PUNCT fork|VERB and|CCONJ spoon|VERB",
+            ("4 NOUN NN", "6 NOUN NN"),
+            Verbs(frozenset(["bring"])),
+        ),
+        Stage.PARSER,
+        tagging.nouns_in_lists,
+    ),
+    TagPass(
         "numbers_as_nouns",
         "Tag a number behind an article and an adjective as a noun.",
         Example("give|VERB me|PRON a|DET low|ADJ five|NUM", ("5 NOUN NN",), Verbs(frozenset(["give"]))),

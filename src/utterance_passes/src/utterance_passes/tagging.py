@@ -22,6 +22,7 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
 _CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
+_JOINTS = frozenset(["and", "or"])
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _RESULTS = word_class("resulting_states")
@@ -30,6 +31,7 @@ _LETTER = re.compile("[A-Z][0-9]*")
 _NO = word_class("objections")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
 _SIDES = word_class("left_and_right")
+_THEN = word_class("adverbs_of_order")
 _VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
@@ -96,9 +98,30 @@ def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Re
 
 
 def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a side at the front as an adverb that the tagger took for a verb: "*left*, not right" has nobody who left."""
-    is_side = bool(forms) and forms[0].lower() in _SIDES and tags[0] == "VERB"
-    return (Retag(1, "ADV", "RB"),) if is_side and (len(forms) == 1 or tags[1] == "PUNCT") else ()
+    """Tag a side at the front, or behind "then", as an adverb that the tagger took for a verb: "*left*, not right" has
+    nobody who left, nor has "turn right, then *left*"."""
+    return tuple(
+        Retag(position, "ADV", "RB")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "VERB" and form.lower() in _SIDES
+        if position == 1 or forms[position - 2].lower() in _THEN
+        if position == len(forms) or tags[position] == "PUNCT"
+    )
+
+
+def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag an item of a list as a noun that the tagger took for a verb: "a knife, *fork* and *spoon*"."""
+    found: Tuple[Retag, ...] = ()
+    for position, (form, tag) in enumerate(zip(forms, tags), start=1):
+        before = tags[position - 2] if position > 1 else ""
+        is_item = before == "PUNCT" and forms[position - 2] == "," and position > 2 and tags[position - 3] == "NOUN"
+        is_item &= position < len(forms) and (forms[position] == "," or forms[position].lower() in _JOINTS)
+        is_last = before == "CCONJ" and bool(found) and found[-1].position == position - 2
+        is_noun = tag == "VERB" and NOUN in parts_of_speech(form) and not vocabulary.verbs_beginning_with(form.lower())
+        if is_noun and (is_item or is_last):
+            found = (*found, Retag(position, "NOUN", "NN", "Number=Sing"))
+    # "A cup, polish and store it": somebody polishes it.
+    return found if found and not any(tag == "VERB" for tag in tags[found[-1].position :]) else ()
 
 
 def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
