@@ -31,7 +31,7 @@ _STANDINS = word_class("noun_standins")
 #: Quantifiers of one thing of a kind, which is the one that was spoken of from then on.
 _ONE_OF_A_KIND = frozenset(["a", "another"])
 #: Quantifiers that do not say which things are meant.
-_SOME = frozenset(["some", "any", "several", "many", "few", "most"])
+_SOME = word_class("quantifiers_of_some")
 
 
 @dataclass(frozen=True)
