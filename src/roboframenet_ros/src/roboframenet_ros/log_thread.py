@@ -13,6 +13,7 @@ _FORMATTER = logging.Formatter()
 # Who logs is often about to pass something on, and the threads of a Python process run one at a time: what is less than
 # a warning is written this much later.
 _GATHER_S = 0.02
+_LOOK_PERIOD_S = 0.005
 
 
 class _LogLines(str):
@@ -36,8 +37,10 @@ class LogThread(logging.Handler):
         """
         super().__init__(handler.level)
         self._handler = handler
-        self._records: queue.Queue[logging.LogRecord] = queue.Queue(max_waiting)
-        self._dropped = 0
+        # Ctrl-C may come while the main thread puts a record there, and its hooks log, too: no lock may be held.
+        self._records: queue.SimpleQueue[logging.LogRecord] = queue.SimpleQueue()
+        self._max_waiting = max_waiting
+        self._put = self._written = self._dropped = 0
         # A daemon: a handler that hangs must not keep the process alive.
         self._thread = threading.Thread(target=self._write_on, name="log", daemon=True)
         self._thread.start()
@@ -51,20 +54,20 @@ class LogThread(logging.Handler):
         if record.exc_info and not record.exc_text:
             # Formatters use the text if there is one.
             record.exc_text = as_log_lines(_FORMATTER.formatException(record.exc_info))
-        try:
-            self._records.put_nowait(record)
-        except queue.Full:
+        if self._records.qsize() < self._max_waiting:
+            # Counted first: whoever waits must not overlook it.
+            self._put += 1
+            self._records.put(record)
+        else:
             self._dropped += 1
 
     def wait_until_written(self, *, timeout_s: float) -> bool:
         """Wait until all records so far are written; returns whether they are."""
         end_s = time.monotonic() + timeout_s
-        with self._records.all_tasks_done:
-            while self._records.unfinished_tasks:
-                remaining_s = end_s - time.monotonic()
-                if remaining_s <= 0.0:
-                    return False
-                self._records.all_tasks_done.wait(remaining_s)
+        while self._written < self._put:
+            if time.monotonic() >= end_s:
+                return False
+            time.sleep(_LOOK_PERIOD_S)
         return True
 
     def _write_on(self) -> None:
@@ -83,8 +86,7 @@ class LogThread(logging.Handler):
                 self._handler.handle(record)
             except Exception as error:  # boundary: a handler may fail in any way; to log that would never end
                 sys.stderr.write(f"a log record is lost: {type(error).__name__}: {error}\n")
-            finally:
-                self._records.task_done()
+            self._written += 1
 
 
 def put_threads_before(logger: logging.Logger) -> List[LogThread]:

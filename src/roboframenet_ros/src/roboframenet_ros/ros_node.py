@@ -2,6 +2,7 @@
 
 import contextlib
 import queue
+import time
 from dataclasses import fields
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Type, TypeVar
 
@@ -10,11 +11,14 @@ import rospy
 from roboframenet_ros.health import Health, SelfDiagnosing
 from roboframenet_ros.parameters import ParameterError, Parameters, is_parameter
 from roboframenet_ros.ros_diagnostics import Diagnostics
+from roboframenet_ros.ros_interrupts import Interrupts
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_place import Place, ProblemsTopic
+from roboframenet_ros.ros_publishing import is_shutting_down
 
 #: ROS may have shut down before anybody could be told; it is asked again after this time, seconds.
 _LONGEST_WAIT_S = 5.0
+_HOOKS_PERIOD_S = 0.02
 
 Kind = TypeVar("Kind", bound=Parameters)
 Node = TypeVar("Node")
@@ -65,6 +69,7 @@ def run_node(name: str, start: Callable[[], Node], *, work: Optional[Callable[[N
         SystemExit: a parameter is wrong, or the node cannot start; the text says why
     """
     rospy.init_node(name)
+    interrupts = Interrupts()
     log_from_threads()
     try:
         node = start()
@@ -76,6 +81,7 @@ def run_node(name: str, start: Callable[[], Node], *, work: Optional[Callable[[N
         _wait_for_shutdown()
     else:
         work(node)
+    interrupts.wait_for_hooks()
     del node
 
 
@@ -92,6 +98,7 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
         SystemExit: a parameter is wrong, or a stage cannot start; the text says why
     """
     rospy.init_node(name)
+    interrupts = Interrupts()
     log_from_threads()
     problems = ProblemsTopic()
     nodes: List[object] = []
@@ -106,17 +113,22 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
         states[rospy.resolve_name(stage.name)[1:]] = _health_of(node)
     Diagnostics(states)
     _wait_for_shutdown()
+    interrupts.wait_for_hooks()
     del nodes
 
 
 def _wait_for_shutdown() -> None:
-    """Return when ROS shuts down; ``rospy.spin`` looks twice a second whether it does."""
+    """Return when ROS has shut down; ``rospy.spin`` looks twice a second whether it does."""
     # Ctrl-C is handled in this thread, whatever it does: what tells it must take no lock that it may hold.
     told: queue.SimpleQueue[None] = queue.SimpleQueue()
     rospy.on_shutdown(lambda: told.put(None))
-    while not rospy.is_shutdown():
+    while not is_shutting_down():
         with contextlib.suppress(queue.Empty):
             told.get(timeout=_LONGEST_WAIT_S)
+            break
+    while not rospy.is_shutdown():
+        # Hooks that another thread runs.
+        time.sleep(_HOOKS_PERIOD_S)
 
 
 def _health_of(node: object) -> Callable[[], Health]:

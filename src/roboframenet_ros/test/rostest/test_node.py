@@ -60,6 +60,28 @@ def start():
 run_node("reader", start)
 """
 
+#: Ctrl-C comes while the main thread holds a lock that a hook of the shutdown needs, and so does a thread it joins.
+INTERRUPTED = """
+import os, signal, threading, time
+import rospy
+from roboframenet_ros.ros_node import run_node
+
+lock = threading.Lock()
+
+def close():
+    with lock:
+        print("closed", flush=True)
+
+def start():
+    rospy.on_shutdown(close)
+    with lock:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(0.2)
+
+run_node("interrupted", start)
+print("ended", flush=True)
+"""
+
 
 def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
@@ -113,6 +135,13 @@ class NodeTest(unittest.TestCase):
         self.assertEqual(1, ended.returncode)
         self.assertIn("reader: nobody is there", ended.stderr)
         self.assertNotIn("Traceback", ended.stderr)
+
+    def test_node_that_is_interrupted_with_a_lock_in_its_hand_ends(self) -> None:
+        # It waited for itself, and roslaunch killed it after 15 s.
+        ended = subprocess.run(
+            [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60, check=False
+        )
+        self.assertEqual((0, ["closed", "ended"]), (ended.returncode, ended.stdout.split()), ended.stderr)
 
     def test_node_says_how_it_is(self) -> None:
         healths = itertools.cycle([Health(values={"verbs": 3}), Health(Level.WARN, "No odometry\nyet."), None])

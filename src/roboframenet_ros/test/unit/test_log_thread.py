@@ -1,6 +1,7 @@
 """Nobody who logs waits for whoever writes."""
 
 import logging
+import signal
 import threading
 
 from roboframenet_ros.log_thread import LogThread, put_threads_before
@@ -151,3 +152,27 @@ def test_text_cannot_look_like_another_record_whatever_the_number_of_handlers():
         assert heard == "[WARNING] heard Ping.\n    [FATAL] forged\\x1b[2J"
         assert failed.startswith("[ERROR] failed\nTraceback")
         assert [line for line in failed.split("\n") if line.startswith("[")] == ["[ERROR] failed"]
+
+
+def test_who_is_interrupted_in_a_log_call_can_wait_for_the_log():
+    # Before, the handler of the signal waited for a lock of the thread that it had interrupted.
+    thread = LogThread(logging.NullHandler())
+    logger = logger_of_its_own("interrupted")
+    logger.propagate = False
+    logger.addHandler(thread)
+    waited = []
+
+    def hear(*_):
+        logger.info("last words")
+        waited.append(thread.wait_until_written(timeout_s=60.0))
+
+    before = signal.signal(signal.SIGALRM, hear)
+    try:
+        for _ in range(50):
+            signal.setitimer(signal.ITIMER_REAL, 0.001)
+            count = len(waited)
+            while len(waited) == count:
+                logger.info("line")
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert all(waited)
