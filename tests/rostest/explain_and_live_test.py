@@ -68,6 +68,11 @@ class Ears:
             return [line for stage in STAGES for line in by_stage.get(stage, [])]
 
 
+#: The stop server carries out the first, which takes the minute that was said. Who gives a name is known to the robot
+#: from then on; offline, there is no world.
+LEFT_OUT = ("waiting", "being_named")
+
+
 class ExplainAndLiveTest(unittest.TestCase):
     """The same sentences, explained offline and said to the running graph."""
 
@@ -102,8 +107,7 @@ class ExplainAndLiveTest(unittest.TestCase):
         different = []
         for sentence in said:
             understanding = pipeline.understand(sentence, context)
-            if any(reading.unit.frame_name == "waiting" for reading in understanding.readings):
-                # The stop server carries it out, which takes the minute that was said.
+            if any(reading.unit.frame_name in LEFT_OUT for reading in understanding.readings):
                 continue
             context = understanding.context
             count = len(ears.replies)
