@@ -95,10 +95,11 @@ def resolved(argument: TypedArgument, text: str, listed: Sequence[TypedArgument]
         text: what it stands for
         listed: the items of what it stands for; more than one become the members of the argument
     """
+    argument = replace(argument, text=text, source=Source.INFERRED)
+    if len(listed) < 2:
+        return argument
     items = tuple(replace(without_any_position(one), name="", relation="") for one in listed)
-    if len(items) < 2:
-        return replace(argument, text=text, source=Source.INFERRED)
-    return replace(argument, text=text, source=Source.INFERRED, members=items, conjunction="and")
+    return replace(argument, members=items, conjunction="and")
 
 
 def referring_to(argument: TypedArgument, before: TypedArgument) -> TypedArgument:

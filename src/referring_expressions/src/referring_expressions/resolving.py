@@ -13,8 +13,8 @@ ALL = -1
 MOST_REFERENTS = 32
 #: Objects that are compared with each other; among more, there are some that a person can tell apart.
 MOST_COMPARED = 64
-_INDEFINITE = frozenset(["a", "any", "some", "another", "several", "many", "few", "most"])
-_WHOLE = frozenset(["all", "every", "each", "both"])
+_INDEFINITE = word_class("quantifiers_of_some") | {"a", "another"}
+_WHOLE = word_class("determiners_of_all")
 _PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 

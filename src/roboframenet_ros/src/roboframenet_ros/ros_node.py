@@ -68,9 +68,7 @@ def run_node(name: str, start: Callable[[], Node], *, work: Optional[Callable[[N
     Raises:
         SystemExit: a parameter is wrong, or the node cannot start; the text says why
     """
-    rospy.init_node(name)
-    interrupts = Interrupts()
-    log_from_threads()
+    interrupts = _init_node(name)
     try:
         node = start()
     except (ParameterError, StartError) as error:
@@ -97,9 +95,7 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
     Raises:
         SystemExit: a parameter is wrong, or a stage cannot start; the text says why
     """
-    rospy.init_node(name)
-    interrupts = Interrupts()
-    log_from_threads()
+    interrupts = _init_node(name)
     problems = ProblemsTopic()
     nodes: List[object] = []
     states: Dict[str, Callable[[], Health]] = {}
@@ -115,6 +111,14 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
     _wait_for_shutdown()
     interrupts.wait_for_hooks()
     del nodes
+
+
+def _init_node(name: str) -> Interrupts:
+    """Connect to ROS; return what ends the node on Ctrl-C."""
+    rospy.init_node(name)
+    interrupts = Interrupts()
+    log_from_threads()
+    return interrupts
 
 
 def _wait_for_shutdown() -> None:

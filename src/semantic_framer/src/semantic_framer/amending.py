@@ -7,6 +7,7 @@ the kitchen".
 
 import re
 from dataclasses import replace
+from functools import cached_property
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, resolved, unit_argument
@@ -30,7 +31,7 @@ from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import with_moved_positions, without_any_position
 from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_person, is_person_or_name
 from utterance_passes.tree_edits import behind_verb
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class, word_list
@@ -217,7 +218,7 @@ class _Amending:
         is none, or fits no element or several.
         """
         head = self._head()
-        if not head or self._person_and_thing() is not None:
+        if not head or self._person_and_thing is not None:
             return ()
         is_one = self._tree.word(head).form.lower() in ONES
         slots = [
@@ -267,13 +268,14 @@ class _Amending:
         )
         return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in ONES) else tops[0]
 
+    @cached_property
     def _person_and_thing(self) -> Optional[Tuple[int, int]]:
         """Return the heads of two phrases in a row, a person and what the person gets: "and *Bob* a *tea*"; None if
         there are not both.
         """
         for before, first in zip(self._fragment.positions, self._fragment.positions[1:]):
             person, article = self._tree.word(before), self._tree.word(first)
-            is_anybody = is_person(person) or person.upos == "PROPN" or person.form.lower() in _PERSONS
+            is_anybody = is_person_or_name(person) or person.form.lower() in _PERSONS
             if not is_anybody or not (article.upos == "DET" or article.deprel == "nmod:poss"):
                 continue
             behind = [index for index in self._fragment.positions if index >= first]
@@ -333,7 +335,7 @@ class _Amending:
                 return ()
         verb = self._reading.verb.split()
         kept = frozenset(self._fragment.positions)
-        tree = behind_verb(self._tree, verb, kept, unit, objects=self._person_and_thing())
+        tree = behind_verb(self._tree, verb, kept, unit, objects=self._person_and_thing)
         if not tree.is_connected:
             return ()
         sentence = Sentence(tree, self._known.types)

@@ -1,10 +1,9 @@
 """Joins what is added to the thing that it is added to: "the cup *as well as the plate*"."""
 
-from typing import Sequence, Tuple
+from typing import Tuple
 
-from semantic_types import Fit, shipped_types
 from utterance_passes.clauses import has_case
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -70,8 +69,8 @@ def with_things_added(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if verb.upos != "VERB" or not is_behind_phrase or len(objects) != 1 or is_person(objects[0]):
             continue
         is_added = bool(_ADDITIVES.intersection(word.form.lower() for word in _around(tree, thing)))
-        is_no_goal = goal is not verb and _is_person_or_place(goal) and not _fits(thing, _FIXED)
-        if _fits(thing, _THINGS) and (is_added or is_no_goal):
+        is_no_goal = goal is not verb and _is_person_or_place(goal) and not is_likely(thing, _FIXED)
+        if is_likely(thing, _THINGS) and (is_added or is_no_goal):
             edit.rehang(thing.index, objects[0].index)
     return edit.tree()
 
@@ -83,9 +82,5 @@ def _around(tree: DependencyTree, phrase: Word) -> Tuple[Word, ...]:
 
 
 def _is_person_or_place(word: Word) -> bool:
-    is_anybody = is_person(word) or word.upos == "PROPN" or word.form.lower() in _OBJECT_PRONOUNS
-    return is_anybody or _fits(word, ("Location",))
-
-
-def _fits(word: Word, types: Sequence[str]) -> bool:
-    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY
+    is_anybody = is_person_or_name(word) or word.form.lower() in _OBJECT_PRONOUNS
+    return is_anybody or is_likely(word, ["Location"])

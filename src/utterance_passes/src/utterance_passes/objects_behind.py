@@ -2,8 +2,7 @@
 
 from typing import Tuple
 
-from semantic_types import Fit, shipped_types
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -46,7 +45,7 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word in _greeting_behind(tree, verb, objects[0]):
                 edit.retag(word.index, "NOUN", "NN")
                 edit.relabel(word.index, "obj")
-        elif len(objects) == 1 and (is_person(objects[0]) or objects[0].upos == "PROPN"):
+        elif len(objects) == 1 and is_person_or_name(objects[0]):
             for word in _behind_description(tree, objects[0]) or _behind_place(tree, verb):
                 edit.rehang(word.index, verb.index, "obj")
                 edit.relabel(objects[0].index, "iobj")
@@ -127,7 +126,7 @@ def _behind_place(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
 
 
 def _is_thing(word: Word) -> bool:
-    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(["Physical_object"]) is Fit.LIKELY
+    return is_likely(word, ["Physical_object"])
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:

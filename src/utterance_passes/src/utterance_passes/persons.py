@@ -1,4 +1,6 @@
-"""Tells whether a noun is a person."""
+"""Tells whether a noun is a person, or a thing of some type."""
+
+from typing import Sequence
 
 from semantic_types import Fit, shipped_types
 from utterance_passes.tree import Word
@@ -15,3 +17,13 @@ def is_person(word: Word) -> bool:
         return False
     types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=word.upos == "PROPN")
     return types.fit(["Human"]) is Fit.LIKELY
+
+
+def is_person_or_name(word: Word) -> bool:
+    """Whether a word names a person, or is a name of which nothing is known."""
+    return word.upos == "PROPN" or is_person(word)
+
+
+def is_likely(word: Word, types: Sequence[str]) -> bool:
+    """Whether a noun usually has one of some types."""
+    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY

@@ -5,7 +5,7 @@ from enum import Enum
 from typing import Iterator, List, Optional, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
@@ -76,7 +76,7 @@ def tells_several(tree: DependencyTree, clause: Clause) -> bool:
 
 
 def _is_somebody(word: Word) -> bool:
-    return word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
+    return word.form.lower() in _PERSONS_TOLD or is_person_or_name(word)
 
 
 def with_names_apart(groups: Sequence[Group]) -> Optional[List[Group]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_person, is_person_or_name
 from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
@@ -279,7 +279,7 @@ class _Quotation:
     def _told_before_clause(self) -> FrozenSet[int]:
         """Return a person whom the parser takes for a part of the subject behind: "tell *Anna* dinner is ready"."""
         words = self._tree.words[self._start - 1 : self._end - 1]
-        place = next((place for place, word in enumerate(words) if word.upos == "PROPN" or is_person(word)), None)
+        place = next((place for place, word in enumerate(words) if is_person_or_name(word)), None)
         following = [word.form.lower() for word in words[place + 1 : place + 2]] if place is not None else []
         if place is not None and following == ["'s"]:
             # "Bob's *mother*"
@@ -403,7 +403,7 @@ class _Quotation:
                 cases = [name]
             phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
             is_end = (name or self._case(index) == "to") and max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = name or word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
+            is_somebody = name or word.form.lower() in _PERSONS_TOLD or is_person_or_name(word)
             has_subject = any(
                 self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
                 for i in inside - phrase

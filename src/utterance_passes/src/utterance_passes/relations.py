@@ -3,7 +3,7 @@
 A parser labels each arc by itself; these passes correct labels that contradict the arcs around them.
 """
 
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary, is_verb
@@ -173,8 +173,7 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
         verb = tree.word(hearer.head) if hearer.head else hearer
         is_telling = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
         is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and person.head != hearer.index
-        is_anybody = person.upos == "PROPN" or is_person(person)
-        if not (is_telling and is_joined and is_anybody) or opening.form.lower() not in _OPENINGS:
+        if not (is_telling and is_joined and is_person_or_name(person)) or opening.form.lower() not in _OPENINGS:
             continue
         edit.rehang(person.index, hearer.index, "conj")
         edit.rehang(joint.index, person.index, "cc")
@@ -206,7 +205,7 @@ def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
         children = tree.children(verb.index)
         objects = [child for child in children if child.deprel in ("obj", "iobj", "ccomp", "xcomp")]
         is_alone = len(objects) == 1 and min(tree.subtree(objects[0].index)) == verb.index + 1
-        if is_alone and objects[0].deprel == "obj" and (objects[0].upos == "PROPN" or is_person(objects[0])):
+        if is_alone and objects[0].deprel == "obj" and is_person_or_name(objects[0]):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
 
