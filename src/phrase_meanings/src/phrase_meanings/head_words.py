@@ -105,6 +105,12 @@ def _bound(tree: DependencyTree, numeral: Word) -> str:
     return shipped_meanings().bound(before)
 
 
+def shares_noun(tree: DependencyTree, member: int, head: int) -> bool:
+    """Whether a member of a list has no noun but that of the head behind it: "*the red* and the blue cup"."""
+    word = tree.word(member)
+    return member < head and word.deprel == "conj" and word.upos == "ADJ"
+
+
 def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: FrozenSet[int]) -> Tuple[Modifier, ...]:
     """Return the properties that words of the phrase give to its head."""
     found = []

@@ -2,6 +2,7 @@
 
 from typing import Dict, Iterator, Sequence, Tuple
 
+from phrase_meanings.head_words import shares_noun
 from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
@@ -80,7 +81,8 @@ class PhraseTypes:
 
     def items(self, head: int) -> Tuple[int, ...]:
         """Return the heads of the items of a list; of any other phrase, its head."""
-        return (head, *(child.index for child in self._tree.children(head) if child.deprel == "conj"))
+        joined = [child.index for child in self._tree.children(head) if child.deprel == "conj"]
+        return (head, *(index for index in joined if not shares_noun(self._tree, index, head)))
 
     def word(self, index: int) -> str:
         """Return a word as it was said."""

@@ -10,6 +10,7 @@ from phrase_meanings.head_words import (
     is_side_of_something,
     modifiers,
     quantity,
+    shares_noun,
 )
 from phrase_meanings.meaning_file import shipped_meanings
 from semantic_frames.lexical_unit import ArgumentForm
@@ -211,8 +212,21 @@ class Phrases:
             if not extent.bare:
                 continue
             plain = self._plain(member, extent, form)
-            found.append(self._described(plain, member, extent, left_out | later if member == head else left_out))
-        return tuple(found) if len(found) > 1 else ()
+            made = self._described(plain, member, extent, left_out | later if member == head else left_out)
+            found.append(self._with_noun_of(head, made) if shares_noun(tree, member, head) else made)
+        return tuple(sorted(found, key=lambda one: one.positions)) if len(found) > 1 else ()
+
+    def _with_noun_of(self, head: int, member: TypedArgument) -> TypedArgument:
+        tree, noun = self._tree, self._tree.word(head)
+        described = replace(tree.word(member.head_position), deprel="amod")
+        return replace(
+            member,
+            text=f"{member.text} {noun.form}",
+            head=noun.form,
+            lemma=noun.lemma.lower(),
+            semantic_type=self._semantic_type(head),
+            modifiers=modifiers(tree, head, [described], frozenset(member.positions)) + member.modifiers,
+        )
 
     def _is_of_the_list(self, index: int, head: int) -> bool:
         """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate", "*then* the
@@ -300,8 +314,10 @@ def _said(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[EmbeddedFra
 def _extent(tree: DependencyTree, head: int, left_out: FrozenSet[int], attached: FrozenSet[int]) -> _Extent:
     """Return the words of a phrase, without punctuation and conjunctions at its ends."""
     positions = sorted((tree.subtree(head) - left_out) | attached)
-    # In "whether it is on the table" the preposition is part of the question.
-    is_clause = any(child.deprel == "cop" and child.index in positions for child in tree.children(head))
+    # In "whether it is on the table" the preposition is part of the question, in "to where you were" it is not.
+    is_clause = tree.word(head).form.lower() not in _QUESTION_WORDS and any(
+        child.deprel == "cop" and child.index in positions for child in tree.children(head)
+    )
     prepositions = frozenset() if is_clause else _prepositions(tree, head)
     while len(positions) > 1 and tree.word(positions[-1]).upos == "PUNCT":
         positions.pop()

@@ -220,7 +220,13 @@ def objects_elsewhere(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
         verb: positions of the verb and its particles
     """
     particles = [tree.word(index) for index in verb[1:]]
-    found = [one.head for one in particles if one.deprel == "case" and tree.word(one.head).deprel == "obl"]
+    found = [
+        one.head
+        for one in particles
+        if one.deprel == "case"
+        and tree.word(one.head).deprel == "obl"
+        and all(child.index in verb for child in tree.children(one.head) if child.deprel == "case")
+    ]
     behind = max(verb) + 1
     children = tree.children(verb[0])
     if not any(child.deprel in ("obj", "iobj") for child in children):

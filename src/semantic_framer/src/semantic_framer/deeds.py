@@ -2,8 +2,9 @@
 
 from typing import List, Optional, Sequence, Tuple
 
-from semantic_framer.outcome import REPORT, Refusal
-from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
+from semantic_framer.extra_phrases import prohibition_beside
+from semantic_framer.outcome import REPORT, LeftOverWords, Refusal
+from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause, with_extra
 from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict
 from semantic_framer.verdicts import Case
 from utterance_passes.clauses import Clause
@@ -11,6 +12,7 @@ from utterance_passes.trace import Trace
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
+_NOT = word_class("not")
 _WANTING = word_class("wanting_verbs")
 
 
@@ -35,6 +37,11 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
     has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
     for clause, kind in zip(case.clauses, case.kinds):
         is_read = kind.is_read or (clause.is_negated and not _is_reason(case, clause))
+        if found and found[-1].kept and _is_forbidden_meanwhile(case, clause):
+            found[-1] = with_extra(found[-1], prohibition_beside(case.sentence, clause))
+            if trace is not None:
+                trace.add("forbidden_meanwhile", case.text_of(clause), after="asked", positions=clause.positions)
+            continue
         read = readings_of_clause(case, clause, trace) if is_read else None
         is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
         if read is not None and not (is_told and case.is_background(clause)):
@@ -42,6 +49,15 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
         elif trace is not None:
             trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
     return tuple(found)
+
+
+def _is_forbidden_meanwhile(case: Case, clause: Clause) -> bool:
+    """Whether a clause says what is not to be done besides a command before it: "take the cup, but *don't drop it*"."""
+    if case.policy.left_over_words is not LeftOverWords.ASK or not clause.is_negated or clause.condition:
+        return False
+    subject = case.sentence.word(clause.subject).form.lower() if clause.subject else ""
+    forms = [child.form.lower() for child in case.sentence.children(clause.verb)]
+    return (not subject or subject in _HEARERS) and "do" in forms and not _NOT.isdisjoint(forms)
 
 
 def _is_reason(case: Case, clause: Clause) -> bool:

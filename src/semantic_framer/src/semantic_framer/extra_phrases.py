@@ -13,6 +13,8 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _NEGATIONS = word_class("negations")
+#: FrameNet's element of what is true or not while something is done.
+_OF_PROHIBITIONS = "Manner"
 #: Relations of phrases that say something about a whole action.
 _OF_ACTIONS = frozenset(["advmod", "obl", "nmod", "advcl", "xcomp", "compound"])
 
@@ -42,6 +44,15 @@ def extra_arguments(
         said = [index for index in sorted(own) if index in argument.positions or sentence.word(index).deprel == "mark"]
         found.append(with_words(sentence.tree, argument, said))
     return tuple(found)
+
+
+def prohibition_beside(sentence: Sentence, clause: Clause) -> TypedArgument:
+    """Return what is not to be done meanwhile as an argument that no server heeds: "but *don't drop it*"."""
+    own = sorted(clause.positions)
+    joining = [index for index in own if sentence.word(index).deprel in ("cc", "punct")]
+    said = [index for index in own if index not in joining]
+    argument = sentence.phrases.argument(_OF_PROHIBITIONS, clause.verb, left_out=frozenset(joining))
+    return with_words(sentence.tree, argument, said)
 
 
 def left_over_groups(sentence: Sentence, clause: Clause, left_over: Tuple[int, ...]) -> Dict[int, FrozenSet[int]]:

@@ -13,7 +13,7 @@ from typing import FrozenSet, Mapping, Optional, Tuple
 from semantic_framer.outcome import CORRECTION, PROHIBITION, QUESTION, REPORT, TALK, WISH, Outcome, Question, Refusal
 from semantic_frames.source_files import read_text
 from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
-from utterance_passes.objections import plain
+from utterance_passes.objections import forbids_first, plain
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -73,7 +73,7 @@ def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
     if code == CORRECTION and _is_only_an_objection(tree):
         # The command server replies if something runs.
         return Refusal(CORRECTION, "All right, I do nothing.")
-    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code in _SAYING_WHY:
+    if isinstance(outcome, Refusal) and outcome.code in _SAYING_WHY and (code == CORRECTION or forbids_first(tree)):
         return replace(outcome, code=CORRECTION)
     if code == CORRECTION:
         return Refusal(CORRECTION, "I do not know what you want instead. Say it in a whole sentence.")
@@ -115,7 +115,7 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
 def is_objection(tree: DependencyTree) -> bool:
     """Whether a sentence begins with an objection: "no, turn", to which the framer replies with a question."""
     words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
-    return bool(words) and words[0] in _OBJECTIONS
+    return (bool(words) and words[0] in _OBJECTIONS) or forbids_first(tree)
 
 
 def _is_only_an_objection(tree: DependencyTree) -> bool:

@@ -27,6 +27,7 @@ from semantic_framer.verdicts import (
     drop,
 )
 from semantic_frames.lexical_unit import ArgumentForm
+from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
@@ -83,6 +84,11 @@ class Heard:
 def as_wish(read: ClauseReadings) -> ClauseReadings:
     """Return readings of a clause that wishes for a thing."""
     return replace(read, kept=tuple(replace(reading, is_wish=True) for reading in read.kept))
+
+
+def with_extra(read: ClauseReadings, extra: TypedArgument) -> ClauseReadings:
+    """Return readings of a clause beside which something was said that no server heeds."""
+    return replace(read, kept=tuple(replace(one, extra=(*(one.extra or ()), extra)) for one in read.kept))
 
 
 def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) -> ClauseReadings:

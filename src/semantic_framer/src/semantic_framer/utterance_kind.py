@@ -310,8 +310,11 @@ class _Front:
             if is_infinitive or (said[0] == "to" and self._verb.head > self._verb.index):
                 return KindVerdict(UtteranceKind.TALK, "infinitive", text)
             return KindVerdict(UtteranceKind.COMMAND, "imperative", text)
-        if form == "WISH":
+        if form == "WISH" and (not subject or self._tree.word(subject).upos not in ("NOUN", "PROPN")):
             return KindVerdict(UtteranceKind.REQUEST, "wish_for_thing", text)
+        if form == "WISH":
+            # "The guests need plates": it is not the speaker who wants them.
+            said = [*said[:-1], "BASE"]
         start = said.index("NP") if "NP" in said else len(said) - 1
         return self._by_rules(said[start:])
 

@@ -30,7 +30,9 @@ PROHIBITIONS = (
     "don't go any faster",
     "no more turning left",
     "follow me but not into the kitchen",
-    "Don't go to the kitchen, go to the office.",
+    "don't shout, run or jump",
+    "don't move, speak and turn",
+    "don't bring anything but water",
     "could you not follow me",
     "can you please not turn left",
 )
@@ -68,6 +70,7 @@ CORRECTIONS = (
     "no, to the office",
     "forget going there",
     "no, jump to the moon",
+    "don't go to the kitchen, sing to the moon",
     "I don't want to go there",
 )
 COMMANDS = {
@@ -81,6 +84,11 @@ COMMANDS = {
     "wrong, turn right": "turning",
     "no just turn right": "turning",
     "no please turn right": "turning",
+    "Don't go to the kitchen, go to the office.": "navigating_to_location",
+    "Don't turn left. Turn right.": "turning",
+    "please don't run, walk to the kitchen": "navigating_to_location",
+    "don't wait for me, go to the kitchen": "navigating_to_location",
+    "don't go to the kitchen but to the office": "navigating_to_location",
 }
 NEITHER = (
     "don't stop",

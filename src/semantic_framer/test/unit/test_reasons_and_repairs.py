@@ -141,7 +141,7 @@ def test_what_is_meant(understand: Any, text: str, meant: str) -> None:
     [
         # What is forbidden stays forbidden.
         "You can't go to the kitchen, go to the hall.",
-        "Don't go to the kitchen, go to the hall.",
+        "Don't go to the kitchen and go to the hall.",
         # What is left is no place that the robot is in.
         "Leave the heavy ones.",
         # Nobody brings these.

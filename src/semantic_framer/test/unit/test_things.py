@@ -156,6 +156,6 @@ def test_as_well_as_it_can_be_done_is_no_place(understand: Any, text: str, argum
     assert {value.name: value.text for value in outcome.clauses[0][0].arguments} == arguments
 
 
-@pytest.mark.parametrize("text", ["drive as far as you can", "go as far as the door", "walk as quickly as a cat home"])
+@pytest.mark.parametrize("text", ["drive as far as you can", "walk as quickly as a cat home"])
 def test_other_comparisons_are_left_over(understand: Any, text: str) -> None:
     assert not isinstance(understand(text)[0], Understood)

@@ -249,7 +249,8 @@ def _whole(words: List[str]) -> Optional[float]:
                 return None
             group = 1.0
         elif word == _OH:
-            if before not in _DIGIT_OF or group is None or not 0 < group < 10:
+            # "One oh oh five" means 1005 to some and 105 to nobody.
+            if before == _OH or before not in _DIGIT_OF or group is None or not 0 < group < 10:
                 return None
         elif word in _SMALL or _is_digits(word):
             value = float(_SMALL[word]) if word in _SMALL else _digits(word)

@@ -107,6 +107,12 @@ def test_every_number_below_ten_thousand_in_words() -> None:
         ("two hundred and twenty-five", 225),
         ("one oh five", 105),
         ("one-eighty", 180),
+        ("one ten", 110),
+        ("three ten", 310),
+        ("four twenty", 420),
+        ("1 oh 5", 105),
+        ("9/8", 1.125),
+        ("10/16", 0.625),
         ("minus point five", -0.5),
         ("about -6", -6),
         ("1e1", 10),
@@ -167,6 +173,20 @@ def test_whole_numbers(text, number):
         "10/15",
         "five ten",
         "five-ten",
+        "two-ten",
+        "four ten",
+        "ten fifty",
+        "twenty zero",
+        "zero oh five",
+        "ten oh five",
+        "one oh oh five",
+        "one hundred hundred",
+        "one hundred and 100",
+        "3 0/2",
+        "3 2/2",
+        "3 10/15",
+        "many 1/2",
+        "10/8",
         "three-fifty",
         "twenty quarter",
         "twenty three quarters",
@@ -184,7 +204,7 @@ def test_other_words_are_refused_as_numbers(text: str) -> None:
     assert raised.value.code == "NOT_A_NUMBER" and find_number(text) is None
 
 
-@pytest.mark.parametrize("text", ["1e400", "-1e999", "1/0"])
+@pytest.mark.parametrize("text", ["1e400", "-1e999", "1/0", "10/0"])
 def test_infinite_number_is_refused(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)

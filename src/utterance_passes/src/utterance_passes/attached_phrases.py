@@ -3,28 +3,21 @@
 from typing import FrozenSet
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
-from utterance_passes.clauses import has_case, prepositions_of
-from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.clauses import has_case
+from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
-_ALL = word_class("words_for_all")
 _ASKING = word_class("words_that_ask_which")
-_CONTRASTS = word_class("contrasts")
-_EXCEPTIONS = word_class("exceptions_of_all")
 _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
 _INDEFINITE_THINGS = word_class("indefinite_things")
-_NOT = word_class("not")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
 _ONES = frozenset(["one", "ones"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
-_OPPOSITE_SIDES = word_class("opposite_sides")
 _ORDINALS = word_class("ordinals")
-#: Relations of phrases that are added to a deed.
-_OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _OF_WAYS = frozenset(["down", "up"])
 _SIDES = word_class("sides_of_a_row")
 _TO = frozenset(["to"])
@@ -168,31 +161,6 @@ def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
-def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing."""
-    edit = TreeEdit(tree)
-    for but in tree.words:
-        thing = tree.word(but.head) if but.head else but
-        before = tree.word(but.index - 1) if but.index > 1 else but
-        is_of_verb = but.deprel == "case" and thing.deprel == "obl" and before.head == thing.head
-        if but.form.lower() in _EXCEPTIONS and is_of_verb and before.deprel == "obj" and _is_of_all(tree, before):
-            edit.rehang(thing.index, before.index, "nmod")
-            continue
-        if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
-            continue
-        head = tree.word(thing.head)
-        every = before if head.upos == "VERB" and before.head == head.index and before.deprel == "obj" else head
-        if _is_of_all(tree, every) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):
-            edit.retag(but.index, "ADP", "IN")
-            edit.relabel(but.index, "case")
-            edit.rehang(thing.index, every.index, "nmod")
-    return edit.tree()
-
-
-def _is_of_all(tree: DependencyTree, word: Word) -> bool:
-    return any(one.form.lower() in _ALL for one in (word, *tree.children(word.index)))
-
-
 def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a way of what stands behind "down" and before the goal: "drive *down the hall* to the door"."""
     edit = TreeEdit(tree)
@@ -211,51 +179,3 @@ def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> Dependenc
             edit.make_preposition(particle.index, ways[0].index)
             edit.relabel(ways[0].index, "obl")
     return edit.tree()
-
-
-def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
-    edit = TreeEdit(tree)
-    for word in tree.words:
-        is_side = word.deprel in ("advmod", "conj") and word.form.lower() in _OPPOSITE_SIDES
-        is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
-        if not (is_side or is_phrase) or not _is_contrast(tree, word):
-            continue
-        for index in tree.subtree(word.index):
-            edit.rehang(index, word.head, ASIDE)
-    return edit.tree()
-
-
-def _is_contrast(tree: DependencyTree, word: Word) -> bool:
-    said = [tree.word(index) for index in sorted(tree.subtree(word.index))]
-    forms = [one.form.lower() for one in said if one.upos != "PUNCT"]
-    if any(one.upos in ("VERB", "AUX") for one in said):
-        return False
-    if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
-        return True
-    if forms[0] in ("and", "but") and forms[1:2] and forms[1] in _NOT and word.deprel == "conj":
-        thing = _wanted_instead(tree, word, said[0])
-        # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
-        is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
-        is_alike = prepositions_of(tree, word.index) == prepositions_of(tree, thing.index)
-        return is_alike and not is_of_all and _is_last(tree, word)
-    # Without the pause, "not" may belong to what is before it.
-    is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
-    return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
-
-
-def _wanted_instead(tree: DependencyTree, word: Word, first: Word) -> Word:
-    """Return what is contrasted with a phrase: its head, or, if that is the verb, the phrase of the verb before it: "go
-    *to the hall* and not to the office"."""
-    head = tree.word(word.head)
-    if head.upos != "VERB":
-        return head
-    before = [child for child in tree.children(head.index) if child.deprel == "obl" and child.index < first.index]
-    return before[-1] if before else head
-
-
-def _is_last(tree: DependencyTree, word: Word) -> bool:
-    """Whether nothing, or a pause, follows: "take the red mug, *not the white one*, to my desk"."""
-    if word.index < len(tree.words) and tree.word(word.index + 1).form == ",":
-        return True
-    return all(one.upos == "PUNCT" or one.deprel.startswith("discourse") for one in tree.words[word.index :])

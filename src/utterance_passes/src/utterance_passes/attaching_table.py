@@ -8,6 +8,7 @@ from utterance_passes import (
     avoided_places,
     awaited_deeds,
     compass,
+    contrasts,
     correct_parse,
     items_in_order,
     names,
@@ -104,7 +105,22 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
             ("but: cc(beer) CCONJ/but -> case(beer) ADP/but", "beer: conj(anything) -> nmod(anything)"),
         ),
         Stage.FRAMER,
-        attached_phrases.with_exceptions,
+        contrasts.with_exceptions,
+    ),
+    TreePass(
+        "meant_instead",
+        'Put what stands behind "but" in the place of what is denied: "not the hall but the office".',
+        Example(
+            "take|VERB|0|root not|PART|3|advmod cups|NOUN|1|obj but|CCONJ|5|cc plates|NOUN|3|conj",
+            (
+                "not: advmod(cups) -> discourse:aside(plates)",
+                "cups: obj(take) -> discourse:aside(plates)",
+                "but: cc(plates) -> discourse:aside(plates)",
+                "plates: conj(cups) -> obj(take)",
+            ),
+        ),
+        Stage.FRAMER,
+        contrasts.with_what_is_meant,
     ),
     TreePass(
         "ways_behind_particles",
@@ -173,7 +189,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
             ),
         ),
         Stage.FRAMER,
-        attached_phrases.without_contrasts,
+        contrasts.without_contrasts,
     ),
     TreePass(
         "particles_on_the_way",

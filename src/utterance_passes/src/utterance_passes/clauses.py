@@ -308,8 +308,10 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     words = [tree.word(index) for index in sorted(positions - tree.quoted - _said_of_others(tree, verb, positions))]
     forms = [word.form.lower() for word in words]
     # "No more than three cups" is a bound.
-    pairs = [(form, after) for form, after, word in zip(forms, forms[1:], words[1:]) if word.deprel != "fixed"]
-    if any(" ".join(pair) in _NO_LONGER for pair in pairs):
+    bounds = {place for place, form in enumerate(forms) if form == "no" and forms[place + 2 : place + 3] == ["than"]}
+    words = [word for place, word in enumerate(words) if place not in bounds]
+    forms = [form for place, form in enumerate(forms) if place not in bounds]
+    if any(" ".join(pair) in _NO_LONGER for pair in zip(forms, forms[1:])):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
     if any(_is_excluded(tree, word) for word in words):

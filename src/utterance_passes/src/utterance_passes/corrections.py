@@ -126,6 +126,8 @@ def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind
     if len(terms) > 1 or behind == len(tree.words):
         return len(terms) > 1 or tree.words[first - 1].upos not in _BEFORE_NO_EDITING_TERM
     following = tree.words[behind]
+    if [word.form.lower() for word in tree.words[behind + 1 : behind + 2]] == ["than"]:
+        return False  # "No further than two metres" is a bound.
     if tree.words[first - 1].upos in ("DET", "ADP") and _is_verb(following, vocabulary):
         # "Bring me the no bring me the cup": nobody says "the no", so the phrase breaks off.
         return True

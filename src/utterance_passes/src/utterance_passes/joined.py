@@ -12,7 +12,9 @@ _BACK = word_class("way_adverbs")
 _CONDITIONS = word_class("conditions")
 _HERE = word_class("here_and_there")
 _NOT = word_class("not")
+_ONES = frozenset(["one", "ones"])
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_SIDES = word_class("opposite_sides")
 _SPEAKERS = word_class("speaker_subjects")
 
 
@@ -175,3 +177,32 @@ def with_places_over_here(tree: DependencyTree, _: Vocabulary) -> DependencyTree
         if are_adverbs and way.form.lower() in _BACK and place.form.lower() in _HERE and way.head < way.index - 1:
             edit.rehang(way.index, place.index)
     return edit.tree()
+
+
+def with_shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make the noun of two described things the head of both: "bring me the red and the blue *cup*"."""
+    edit = TreeEdit(tree)
+    for described in tree.words:
+        joined = [child for child in tree.children(described.index) if child.deprel == "conj"]
+        is_side = described.form.lower() in _SIDES
+        if (described.upos != "ADJ" and not is_side) or len(joined) != 1 or not _is_described(tree, joined[0]):
+            continue
+        before = [child for child in tree.children(described.index) if child.index < described.index]
+        if not any(child.deprel == "det" for child in before):
+            continue
+        noun = joined[0]
+        edit.rehang(noun.index, described.head, described.deprel)
+        edit.rehang(described.index, noun.index, "conj")
+        edit.retag(described.index, "ADJ", "JJ")
+        for child in before:
+            if child.deprel == "case":
+                edit.rehang(child.index, noun.index)
+        for child in tree.children(noun.index):
+            if child.deprel == "cc":
+                edit.rehang(child.index, described.index)
+    return edit.tree()
+
+
+def _is_described(tree: DependencyTree, noun: Word) -> bool:
+    relations = {child.deprel for child in tree.children(noun.index) if child.index < noun.index}
+    return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.form.lower() not in _ONES

@@ -123,4 +123,15 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_places_over_here,
     ),
+    TreePass(
+        "shared_nouns",
+        'Make the noun of two described things the head of both: "the red and the blue cup".',
+        Example(
+            "take|VERB|0|root the|DET|3|det red|ADJ|1|obj|red|JJ and|CCONJ|7|cc the|DET|7|det blue|ADJ|7|amod "
+            "cup|NOUN|3|conj",
+            ("red: obj(take) -> conj(cup)", "and: cc(cup) -> cc(red)", "cup: conj(red) -> obj(take)"),
+        ),
+        Stage.FRAMER,
+        joined.with_shared_nouns,
+    ),
 )

@@ -50,6 +50,8 @@ _MORE_BEHIND = tuple(
 )
 #: Words of a bound that includes the amount: "at least two metres", "two metres or more". The speaker may mean it.
 _KEPT = frozenset("least most at up to the or more less fewer of maximum max minimum tops".split())
+#: Words of such a bound around a comparative: "no further than two metres".
+_NO_MORE_THAN = frozenset(["no", "than"])
 #: Words before an amount that do not change it.
 _AROUND = frozenset(
     "about almost around roughly approximately nearly exactly precisely just some even only another".split()
@@ -231,7 +233,8 @@ def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: 
     if not changing - taken:
         return amount
     # If a range is negated or bounded, the speaker means neither of its ends.
-    is_kept = all(tree.word(index).form.lower() in _KEPT for index in changing) and not amount.is_doubtful
+    forms = {tree.word(index).form.lower() for index in changing}
+    is_kept = (forms <= _KEPT or forms >= _NO_MORE_THAN) and not amount.is_doubtful
     ends = (amount.positions,) if is_kept else ()
     return _doubtful(changing | frozenset(amount.positions), tree, [amount], ends)
 
@@ -248,6 +251,8 @@ def _changing_before(tree: DependencyTree, before: Sequence[int], amount: Amount
     before_it = tree.word(said[1]).form.lower() if len(said) > 1 else ""
     if (before_it, form) in _BOUNDS_BEFORE:
         return frozenset(said[:2])
+    if {tree.word(index).form.lower() for index in said[:3]} >= _NO_MORE_THAN:
+        return frozenset(said[:3])
     is_a_noun = form == "point" and any(child.deprel == "det" for child in tree.children(word.index))
     if (form in _BEFORE and not is_a_noun) or is_number(tree, word.index) or _is_mark_of_arithmetic(word.form):
         return frozenset(said[:1])

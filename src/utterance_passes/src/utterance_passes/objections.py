@@ -1,4 +1,6 @@
-"""Sets aside the words that open a correction of a running command: "no, turn right", "no I meant turn right"."""
+"""Sets aside the words that open a correction of a running command: "no, turn right", "don't turn left, turn right"."""
+
+from typing import Iterator
 
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -7,18 +9,38 @@ from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
 _LEAD_IN = word_class("lead_in")
+_NOT = word_class("not")
 _OPENING = pattern_of("objections")
 
 
 def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right"."""
-    text = ""
-    for position, word in enumerate(tree.words):
-        if position and _OPENING.fullmatch(text) and _begins_command(tree, position, vocabulary):
+    """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right".
+
+    What is not to be done is such an opening, too: "don't turn left, turn right".
+    """
+    for position in _openings(tree):
+        if _begins_command(tree, position, vocabulary) and not _is_forbidden_too(tree, position):
             opening = frozenset(range(1, position + 1))
             return set_aside(tree, opening, ASIDE, lambda word: is_verb(vocabulary, word))
-        text = f"{text} {plain(word)}".strip()
     return tree
+
+
+def forbids_first(tree: DependencyTree) -> bool:
+    """Whether a sentence may begin with what is not to be done: "*don't turn left*, turn right"."""
+    return any(_forbids(tree, position) for position in _openings(tree))
+
+
+def _openings(tree: DependencyTree) -> Iterator[int]:
+    """Yield the lengths of the openings that a sentence may have, the shortest first."""
+    text = ""
+    for position, word in enumerate(tree.words):
+        if position and _OPENING.fullmatch(text):
+            yield position
+        text = f"{text} {plain(word)}".strip()
+
+
+def _forbids(tree: DependencyTree, position: int) -> bool:
+    return any(plain(word) in _NOT for word in tree.words[:position])
 
 
 def plain(word: Word) -> str:
@@ -32,3 +54,17 @@ def plain(word: Word) -> str:
 def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
     words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in _LEAD_IN]
     return bool(words) and is_verb(vocabulary, words[0])
+
+
+def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:
+    """Whether the deed at a position goes on with a list of what is not to be done: "don't shout, *run or jump*"."""
+    before, behind = tree.words[:position], [word for word in tree.words[position:] if word.upos == "VERB"]
+    if not _forbids(tree, position):
+        return False
+    if not behind or behind[0].index != position + 1 or behind[0].deprel in ("obj", "obl", "nmod", "compound"):
+        return True  # "Don't bring anything but water": it is a thing.
+    is_same = any(word.lemma.lower() == behind[0].lemma.lower() for word in before)
+    joined = [word for word in behind[1:] if word.deprel == "conj"]
+    joints = [child for word in joined for child in tree.children(word.index) if child.deprel == "cc"]
+    is_list = any(joint.form.lower() != "but" for joint in joints)
+    return is_list and before[-1].form == "," and not is_same

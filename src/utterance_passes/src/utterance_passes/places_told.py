@@ -7,16 +7,22 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+#: Where something was, nobody knows.
+_BEING_NOW = word_class("present_forms_of_be")
 _FINDING = word_class("finding_verbs")
+_GOING = word_class("verbs_of_going")
 _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _SHOWING = word_class("showing_verbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
+#: Relations of "where" at the verb on which it depends.
+_OF_STATEMENTS = frozenset(["ccomp", "xcomp", "advcl", "obj"])
 #: Relations of words that belong to a clause, not to the noun that is its predicate.
 _OF_CLAUSES = frozenset(["cop", "cc", "punct", "advmod", "discourse", "conj", "parataxis", "aux", "mark"])
 #: Subjects by objects.
 _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
+_OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
 
 
 def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -65,21 +71,30 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
 
 
 def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make the place that somebody asks to be shown a goal: "show Bob *where it is*" guides him."""
+    """Make a goal of the place where something is: "show Bob *where it is*", "go *where Anna is*"."""
     edit = TreeEdit(tree)
     for where in tree.words:
         verb = tree.word(where.head) if where.head else where
         children = tree.children(where.index)
+        cases = [child for child in children if child.deprel == "case"]
         subjects = [child for child in children if child.deprel == "nsubj" and child.index > where.index]
-        copulas = [child for child in children if child.deprel == "cop"]
-        is_where = where.form.lower() == "where" and where.deprel in ("ccomp", "xcomp", "advcl", "obj")
-        if not is_where or verb.lemma.lower() not in _SHOWING or len(subjects) != 1 or len(copulas) != 1:
+        copulas = [child for child in children if child.deprel == "cop" and child.form.lower() in _BEING_NOW]
+        is_where = where.form.lower() == "where" and (
+            (where.deprel in _OF_STATEMENTS and verb.lemma.lower() in _SHOWING | _GOING)
+            or (where.deprel == "obl" and [case.form.lower() for case in cases] == ["to"])
+        )
+        if not is_where or len(subjects) != 1 or len(copulas) != 1:
             continue
-        edit.make_preposition(where.index, subjects[0].index)
         edit.rehang(subjects[0].index, verb.index, "obl")
-        for child in children:
-            if child.index != subjects[0].index:
-                edit.rehang(child.index, verb.index, ASIDE if child.deprel == "cop" else "")
+        if subjects[0].form.lower() in _OBJECTS:
+            edit.respell(subjects[0].index, _OBJECTS[subjects[0].form.lower()])
+        for child in (*children, where):
+            if child in cases or (child is where and not cases):
+                edit.make_preposition(child.index, subjects[0].index)
+            elif child is not subjects[0]:
+                edit.rehang(child.index, verb.index, ASIDE if child is where or child in copulas else "")
+        if not cases and verb.lemma.lower() in _GOING:
+            edit.respell(where.index, "to")
     return edit.tree()
 
 

@@ -167,9 +167,11 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
 
 def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Join a person behind "and" to the hearer, not to what the hearer is told: "tell her *and Bob* that dinner is
-    ready" tells nothing of Bob."""
+    ready" tells nothing of Bob, nor does "tell her *and then Bob* that ..."."""
     edit = TreeEdit(tree)
-    for hearer, joint, person, opening in zip(tree.words, tree.words[1:], tree.words[2:], tree.words[3:]):
+    orders = [then for joint, then in zip(tree.words, tree.words[1:]) if _is_and_then(joint, then)]
+    words = [word for word in tree.words if word not in orders]
+    for hearer, joint, person, opening in zip(words, words[1:], words[2:], words[3:]):
         verb = tree.word(hearer.head) if hearer.head else hearer
         is_telling = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
         is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and person.head != hearer.index
@@ -177,11 +179,18 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             continue
         edit.rehang(person.index, hearer.index, "conj")
         edit.rehang(joint.index, person.index, "cc")
+        for then in orders:
+            if joint.index < then.index < person.index:
+                edit.rehang(then.index, person.index)
         clauses = [child for child in tree.children(verb.index) if child.deprel == "ccomp"]
         if opening.deprel == "det" and clauses and opening.form.lower() == "that":
             edit.retag(opening.index, "SCONJ", "IN")
             edit.rehang(opening.index, clauses[0].index, "mark")
     return edit.tree()
+
+
+def _is_and_then(joint: Word, then: Word) -> bool:
+    return joint.form.lower() == "and" and then.form.lower() == "then"
 
 
 def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -240,13 +240,15 @@ def gerunds_as_nouns(forms: Sequence[str], tags: Sequence[str], vocabulary: Voca
 
 
 def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a word with a capital inside a sentence as a name if English knows no such verb: "give Tom a cup and *Lisa* a
-    fork"."""
+    """Tag a word with a capital inside a sentence as a name if the lexicon knows no such verb: "give Tom a cup and
+    *Lisa* a fork", "tell Anna and then *Bob*". Where every word has a capital, it must be no verb of English either."""
+    are_capitals_rare = any(form.islower() for form in forms[1:])
     return tuple(
         Retag(position, "PROPN", "NNP", "Number=Sing")
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "VERB" and position > 1 and form.istitle() and forms[position - 2] not in (".", "!", "?", '"')
-        if VERB not in parts_of_speech(form.lower()) and not vocabulary.verbs_beginning_with(form.lower())
+        if are_capitals_rare or VERB not in parts_of_speech(form.lower())
+        if not vocabulary.verbs_beginning_with(form.lower())
     )
 
 
