@@ -47,7 +47,7 @@ class Robot:
         from actionlib_msgs.msg import GoalID
         from geometry_msgs.msg import Twist
         from nav_msgs.msg import Odometry
-        from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, Reply
+        from roboframenet_msgs.msg import Command, FilledSemanticFrameActionGoal, Reply
         from std_msgs.msg import String
 
         self._rospy, self._string = rospy, String
@@ -55,6 +55,8 @@ class Robot:
         self._lock = threading.Lock()
         self._replies: List[Tuple[float, Any]] = []
         self._counts: Counter = Counter()
+        #: When each command was heard that went to the parser, by its id.
+        self._heard_s: Dict[str, float] = {}
         self.zero_s: List[float] = []
         self.cancel_s: List[float] = []
         self.turn_goal_s: List[float] = []
@@ -63,6 +65,7 @@ class Robot:
         self._text = rospy.Publisher("text", String, queue_size=1000)
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._on_reply, queue_size=10000),
+            rospy.Subscriber("command_text", Command, self._on_heard, queue_size=10000),
             rospy.Subscriber("odom", Odometry, self._on_odometry, queue_size=10),
             rospy.Subscriber("cmd_vel", Twist, self._on_velocity, queue_size=100),
             rospy.Subscriber("moving_forward/cancel", GoalID, lambda _: self.cancel_s.append(time.monotonic())),
@@ -75,6 +78,10 @@ class Robot:
         with self._lock:
             self._replies.append((time.monotonic(), reply))
             self._counts[reply.command.id] += 1
+
+    def _on_heard(self, command: Any) -> None:
+        with self._lock:
+            self._heard_s[command.id] = time.monotonic()
 
     def _on_odometry(self, message: Any) -> None:
         self.speed = max(abs(message.twist.twist.linear.x), abs(message.twist.twist.angular.z))
@@ -128,12 +135,18 @@ class Robot:
         return now_s
 
     def replies(self, since_s: float = 0.0, text: Optional[str] = None) -> List[Tuple[float, Any]]:
-        """Return replies that arrived since a time, to a text."""
+        """Return replies that arrived since a time; to a text, those to what was heard since then.
+
+        "A newer command took its place" is the reply to an older command, though its words may be the same.
+        """
         with self._lock:
+            since = [(at_s, reply) for at_s, reply in self._replies if at_s >= since_s]
+            if text is None:
+                return since
             return [
                 (at_s, reply)
-                for at_s, reply in self._replies
-                if at_s >= since_s and (text is None or reply.command.text == text)
+                for at_s, reply in since
+                if reply.command.text == text and self._heard_s.get(reply.command.id, at_s) >= since_s
             ]
 
     def reply_to(self, text: str, timeout_s: float) -> Optional[Tuple[float, Any]]:

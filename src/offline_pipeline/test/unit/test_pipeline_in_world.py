@@ -159,3 +159,19 @@ def test_a_pronoun_refers_to_what_it_stands_for(
     pronoun = pipeline.in_world(home).understand(text).readings[-1].arguments[0]
     assert pronoun.source is Source.INFERRED
     assert pronoun.referents == meant
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("Go to the room where Anna is.", ("hall",)),
+        ("Go to the room Anna is in.", ("hall",)),
+        ("Bring me the book from the room where Anna is.", ("hall",)),
+        ("Go to the table where the book is.", ("table_1",)),
+        ("Go to the room where Bob is.", ()),
+    ],
+)
+def test_a_place_is_the_one_where_somebody_or_something_is(
+    pipeline: Pipeline, home: World, text: str, meant: Tuple[str, ...]
+) -> None:
+    assert pipeline.in_world(home).understand(text).readings[0].arguments[-1].referents == meant

@@ -16,6 +16,8 @@ _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
 _COUPLES = frozenset(["couple"])
 _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_POSTURES = word_class("posture_verbs")
 _SIDES = word_class("sides")
 #: Ordinal words in their order, from 1.
 _ORDINALS = word_list("ordinals_in_order")
@@ -103,6 +105,20 @@ def _bound(tree: DependencyTree, numeral: Word) -> str:
     first = numeral.index - 1
     before = [tree.word(index).form.lower() for index in (inside or ([first] if first > 0 else []))]
     return shipped_meanings().bound(before)
+
+
+def located_there(tree: DependencyTree, clause: Word) -> int:
+    """Return who or what is at the place that a clause describes: "the room *where Anna is*", "the room *Anna is in*".
+
+    Returns:
+        the position of the subject; 0 if the clause says something else
+    """
+    children = tree.children(clause.index)
+    subjects = [child.index for child in children if child.deprel == "nsubj"]
+    forms = {clause.form.lower(), *(child.form.lower() for child in children if child.deprel == "advmod")}
+    is_there = any(child.deprel == "cop" for child in children) or clause.lemma.lower() in _POSTURES
+    is_place = "where" in forms or clause.form.lower() in _PLACE_PREPOSITIONS
+    return subjects[0] if len(subjects) == 1 and is_there and is_place else 0
 
 
 def shares_noun(tree: DependencyTree, member: int, head: int) -> bool:

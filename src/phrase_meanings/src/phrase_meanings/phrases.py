@@ -8,6 +8,7 @@ from phrase_meanings.head_words import (
     first_preposition,
     is_plural,
     is_side_of_something,
+    located_there,
     modifiers,
     quantity,
     shares_noun,
@@ -256,6 +257,17 @@ class Phrases:
         if not positions:
             return None
         is_clause = child.deprel.startswith("acl")
+        located = located_there(tree, child) if is_clause else 0
+        if located:
+            return EmbeddedFrame(
+                role="describes",
+                frame_name=_BEING_LOCATED,
+                words=tree.text_of(positions),
+                positions=positions,
+                head_element=_LOCATION,
+                mood="statement",
+                frame_elements=(replace(self._part(located, left_out), name=_THEME),),
+            )
         if is_clause and not preposition:
             inside = [tree.word(index) for index in positions]
             place = self._place_of_a_posture(child, own, left_out)

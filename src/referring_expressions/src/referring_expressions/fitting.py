@@ -196,6 +196,8 @@ def _of(objects: Objects, complement: TypedArgument, situation: Situation) -> Ob
 
 def described(objects: Objects, description: EmbeddedFrame, situation: Situation) -> Objects:
     """Return the objects that a description is true of: "on the table", "that is in the kitchen"."""
+    if description.head_element == "location":
+        return tuple(one for one in objects if _holds(one, description.frame_elements, situation))
     place = next((element for element in description.frame_elements if element.relation or element.direction), None)
     if place is None:
         words = set(description.words.lower().split())
@@ -204,6 +206,13 @@ def described(objects: Objects, description: EmbeddedFrame, situation: Situation
     if description.is_negated:
         return tuple(one for one in objects if one not in fits)
     return fits
+
+
+def _holds(place: WorldObject, elements: Iterable[TypedArgument], situation: Situation) -> bool:
+    """Whether somebody or something is in or on a place: "the room where *Anna* is"."""
+    themes = [one.id for element in elements for one in fitting(element, replace(situation, offered=()))]
+    there = situation.world.at("in", (place,)) | situation.world.at("on", (place,))
+    return not there.isdisjoint(themes)
 
 
 def at_place(objects: Objects, place: TypedArgument, situation: Situation) -> Objects:

@@ -23,6 +23,7 @@ _PARTICIPANTS = word_class("participants")
 #: By the part of an element: the types of things into which others are put.
 _TYPES_OF_WHAT_HOLDS = {"Device": ["Device"], CONTAINER: ["Container", "Portal", "Device"]}
 _PERSONS = frozenset(["Sentient"])
+_HERE_AND_THERE = word_class("here_and_there")
 _PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
@@ -243,8 +244,8 @@ def _remember(
                 if said.frame_name in frames:
                     context = _remember(frames[said.frame_name], said.frame_elements, frames, context)
             continue
-        if value.text.lower() in _QUESTION_WORDS:
-            continue
+        if value.text.lower() in _QUESTION_WORDS | _HERE_AND_THERE:
+            continue  # "Put the cup here and the plate there": "there" is another place than "here".
         if (element.framenet == "Category" and not value.quantifier) or element.framenet in _STATES:
             continue  # "The floor is dirty, clean it": dirty is no thing.
         if frame.is_condition and (value.semantic_type == "Human" or value.lemma in _ROBOTS):

@@ -133,7 +133,7 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         if (
             is_to
             and is_bare
-            and use.head in (thing.index, thing.head)
+            and use.head in (thing.index, thing.head, tree.word(thing.head).head)
             and use.deprel not in ("acl", "xcomp", "advcl")
             and use.form == use.lemma
             and VERB in parts_of_speech(use.lemma)

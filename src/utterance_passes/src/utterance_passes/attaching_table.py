@@ -385,6 +385,16 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         places_told.with_inverted_places,
     ),
     TreePass(
+        "places_described",
+        'Attach a clause to the place that it describes: "the room where Anna is".',
+        Example(
+            "go|VERB|0|root to|ADP|3|case rooms|NOUN|1|obl where|ADV|1|parataxis Anna|PROPN|4|nsubj is|AUX|4|cop|be",
+            ("where: parataxis(go) -> acl:relcl(rooms)",),
+        ),
+        Stage.FRAMER,
+        places_told.with_places_described,
+    ),
+    TreePass(
         "places_shown",
         "Make the place that somebody asks to be shown a goal.",
         Example(

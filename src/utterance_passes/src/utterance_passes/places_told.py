@@ -7,6 +7,7 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_ASKING = word_class("asking_verbs")
 #: Where something was, nobody knows.
 _BEING_NOW = word_class("present_forms_of_be")
 _FINDING = word_class("finding_verbs")
@@ -14,8 +15,11 @@ _GOING = word_class("verbs_of_going")
 _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _SHOWING = word_class("showing_verbs")
+_NOBODY = word_class("no_pronouns")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
+#: Relations of a place that a clause may describe.
+_OF_PLACES = frozenset(["obl", "nmod", "obj"])
 #: Relations of "where" at the verb on which it depends.
 _OF_STATEMENTS = frozenset(["ccomp", "xcomp", "advcl", "obj"])
 #: Relations of words that belong to a clause, not to the noun that is its predicate.
@@ -96,6 +100,42 @@ def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not cases and verb.lemma.lower() in _GOING:
             edit.respell(where.index, "to")
     return edit.tree()
+
+
+def with_places_described(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach a clause to the place that it describes: "the room *where Anna is*", "the room *Anna is in*"."""
+    edit = TreeEdit(tree)
+    for place in tree.words:
+        if place.upos != "NOUN" or place.index == len(tree.words) or place.deprel not in _OF_PLACES:
+            continue
+        first = tree.word(place.index + 1)
+        # In "where Bob sleeps" and "Anna is in", the first word is below the top of the clause.
+        is_below = first.head and not any(child.deprel == "nsubj" for child in tree.children(first.index))
+        top = tree.word(first.head) if is_below and first.deprel in ("advmod", "nsubj") else first
+        is_told = top.deprel == "ccomp" and _is_asked(tree, top, vocabulary)
+        is_apart = top.deprel in ("parataxis", "advcl", "ccomp", "advmod") and not is_told
+        is_described = first.form.lower() == "where" or _is_stranded(tree, top)
+        # Where nobody is, nobody knows.
+        is_known = not any(child.form.lower() in _NOBODY for child in tree.children(top.index))
+        if is_apart and is_described and is_known and place.index not in tree.subtree(top.index):
+            edit.rehang(top.index, place.index, "acl:relcl")
+    return edit.tree()
+
+
+def _is_asked(tree: DependencyTree, clause: Word, vocabulary: Vocabulary) -> bool:
+    """Whether a clause is what somebody asks, tells, shows or finds: "ask the man in the hall *where Anna is*"."""
+    verb = tree.word(clause.head)
+    lemma = verb.lemma.lower()
+    return verb.index < clause.index and (
+        vocabulary.speech_of(lemma) is not None or lemma in _ASKING | _SHOWING | _FINDING
+    )
+
+
+def _is_stranded(tree: DependencyTree, preposition: Word) -> bool:
+    """Whether a preposition has no noun but a subject and "is": "Anna is *in*"."""
+    relations = {child.deprel for child in tree.children(preposition.index)}
+    is_one = preposition.form.lower() in _PLACE_PREPOSITIONS
+    return preposition.upos in ("ADP", "ADV") and is_one and {"nsubj", "cop"} <= relations
 
 
 def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -46,8 +46,8 @@ ORDER = (
     "awaited_deeds sides_in_order items_in_order contrasts particles_on_the_way ahead_of speeds_together "
     "superlatives_at_nouns places_of_devices places_of_all measured_turns sides_apart compass_apart around_apart "
     "degrees objects_of_vocatives letters_as_names participles persons_told things_added objects_behind "
-    "inverted_places places_shown places_told aspectual_verbs light_verbs quotations comparisons formulas "
-    "argument_clusters shared_verbs times"
+    "inverted_places places_described places_shown places_told aspectual_verbs light_verbs quotations comparisons "
+    "formulas argument_clusters shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 
