@@ -12,7 +12,9 @@ from utterance_passes.phrase_groups import JOINING, Group, Kind, Phrase, groups_
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_argument_clusters
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_list
 
+_TURNS = tuple([side] for side in word_list("left_and_right"))
 _BEFORE_AN_OBJECT = frozenset(["DET", "ADJ", "NUM", "NOUN", "PROPN", "SYM"])
 
 
@@ -39,6 +41,10 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     pieces = groups_of(tree, clause)
     if pieces is None or len(pieces) < 2:
         return []
+    if all(_is_turn(group) for group in pieces):
+        for (phrase,) in pieces:
+            edit.rehang(phrase.head, clause.verb, "obj")
+        return [(clause.verb, frozenset([phrase.head])) for (phrase,) in pieces]
     groups = with_names_apart(pieces) or _with_lists_as_one(pieces)
     first, others = groups[0], groups[1:]
     length = len(others[0]) if others else 0
@@ -56,6 +62,12 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     for group in others:
         _hang(tree, clause, model, group, edit)
     return [(clause.verb, frozenset(phrase.head for phrase in group)) for group in (model, *others)]
+
+
+def _is_turn(group: Group) -> bool:
+    """Whether a group is a side and nothing else: "take *a left* and then *a right*"."""
+    words = [word.form.lower() for phrase in group for word in phrase.words]
+    return len(group) == 1 and words[:1] == ["a"] and words[1:] in _TURNS
 
 
 def _particles_behind_and(tree: DependencyTree, clause: Clause) -> List[int]:

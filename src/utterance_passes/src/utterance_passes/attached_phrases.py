@@ -4,6 +4,7 @@ from typing import FrozenSet
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import has_case
+from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -12,6 +13,7 @@ from word_classes import word_class
 _ASKING = word_class("words_that_ask_which")
 _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
+_HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
@@ -19,6 +21,8 @@ _ONES = frozenset(["one", "ones"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _ORDINALS = word_class("ordinals")
 _OF_WAYS = frozenset(["down", "up"])
+_PERSONS = word_class("pronouns_of_persons")
+_POINTING = word_class("demonstrative_determiners")
 _SIDES = word_class("sides_of_a_row")
 _TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
@@ -44,6 +48,35 @@ def _is_own(tree: DependencyTree, hand: Word) -> bool:
     is_used = any(child.deprel == "case" and child.form.lower() in _USING for child in children)
     is_yours = any(child.deprel == "nmod:poss" and child.form.lower() in _YOUR for child in children)
     return is_used and (is_yours or any(child.form.lower() in _OF_ONE_HAND for child in children))
+
+
+def with_there_at_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach "there" to the thing that somebody points at and another person gets: "bring me that thing *over there*"
+    names no goal, "put that thing over there" does."""
+    edit = TreeEdit(tree)
+    for there in tree.words:
+        verb = tree.word(there.head) if there.head else there
+        is_there = there.form.lower() in _HERE_AND_THERE and there.deprel == "advmod"
+        if not is_there or verb.upos != "VERB" or there.index < 3:
+            continue
+        over = tree.word(there.index - 1)
+        first = over if over.upos in ("ADV", "ADP") and over.head in (there.index, verb.index) else there
+        children = tree.children(verb.index)
+        things = [one for one in children if one.deprel == "obj" and max(tree.subtree(one.index)) == first.index - 1]
+        is_given = any(
+            one.deprel == "iobj" or (one.deprel == "obl" and _has_case(tree, one, _TO) and _is_somebody(one))
+            for one in children
+        )
+        for thing in things:
+            before = (thing, *(child for child in tree.children(thing.index) if child.deprel == "det"))
+            if is_given and any(word.form.lower() in _POINTING for word in before):
+                edit.rehang(there.index, thing.index)
+                edit.rehang(first.index, there.index if first is not there else thing.index)
+    return edit.tree()
+
+
+def _is_somebody(word: Word) -> bool:
+    return is_person_or_name(word) or word.form.lower() in _PERSONS
 
 
 def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -34,6 +34,16 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_hands_at_verbs,
     ),
     TreePass(
+        "there_at_things",
+        'Attach "there" to the thing that somebody gets: "bring me that over there".',
+        Example(
+            "bring|VERB|0|root me|PRON|1|iobj that|DET|4|det cup|NOUN|1|obj there|ADV|1|advmod",
+            ("there: advmod(bring) -> advmod(cup)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_there_at_things,
+    ),
+    TreePass(
         "phrases_of_what_is_asked",
         'Attach a phrase to the noun that it follows, not to "what".',
         Example(
