@@ -43,6 +43,12 @@ def home() -> World:
     return snapshot("1", {one.id: one for one in load_world_file(HOME, "home.yaml")})
 
 
+@pytest.fixture(scope="module")
+def with_two_cups(pipeline: Pipeline) -> Pipeline:
+    home = HOME.replace("persons:", "  cup_2: {on: table_1}\npersons:")
+    return pipeline.in_world(snapshot("1", {one.id: one for one in load_world_file(home, "home.yaml")}))
+
+
 def read(understood: Understanding) -> str:
     return "; ".join(map(str, understood.readings))
 
@@ -175,3 +181,17 @@ def test_a_place_is_the_one_where_somebody_or_something_is(
     pipeline: Pipeline, home: World, text: str, meant: Tuple[str, ...]
 ) -> None:
     assert pipeline.in_world(home).understand(text).readings[0].arguments[-1].referents == meant
+
+
+@pytest.mark.parametrize("text", ["Any of them.", "I don't care.", "Whichever you like."])
+def test_a_choice_may_be_left_to_the_robot(with_two_cups: Pipeline, text: str) -> None:
+    asked = with_two_cups.understand("bring the cup")
+    assert asked.reply.code == "AMBIGUOUS"
+    chosen = with_two_cups.understand(text, asked.context)
+    assert chosen.reply.code == "DONE"
+    assert chosen.readings[0].arguments[0].referents in (("cup_1",), ("cup_2",))
+
+
+def test_none_of_the_things_that_were_offered(with_two_cups: Pipeline) -> None:
+    asked = with_two_cups.understand("bring the cup")
+    assert with_two_cups.understand("Neither.", asked.context).reply.code == "DECLINED"

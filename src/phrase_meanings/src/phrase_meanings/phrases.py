@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
 
+from phrase_meanings.arguments import ONES, of_same_kind
 from phrase_meanings.head_words import (
     chosen_from,
     first_preposition,
@@ -24,6 +25,7 @@ _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
 #: Prepositions that may introduce a verb.
 _OF_VERBS = frozenset(["by"])
 _COMPLEX_PREPOSITIONS = word_class("complex_prepositions")
+_DEMONSTRATIVES = word_class("demonstrative_determiners")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -215,6 +217,7 @@ class Phrases:
             plain = self._plain(member, extent, form)
             made = self._described(plain, member, extent, left_out | later if member == head else left_out)
             found.append(self._with_noun_of(head, made) if shares_noun(tree, member, head) else made)
+        found = [_of_kind_of(found[0], one) for one in found]
         return tuple(sorted(found, key=lambda one: one.positions)) if len(found) > 1 else ()
 
     def _with_noun_of(self, head: int, member: TypedArgument) -> TypedArgument:
@@ -311,6 +314,12 @@ class Phrases:
             and child.index in own
             and first_preposition(tree, child.index) in _PLACE_PREPOSITIONS
         )[:1]
+
+
+def _of_kind_of(first: TypedArgument, member: TypedArgument) -> TypedArgument:
+    """Return a member of a list with the noun of the first: "the red cup and *the blue one*". "That one" is shown."""
+    is_one = member.head.lower() in ONES and first.head.lower() not in ONES
+    return of_same_kind(member, first) if is_one and member.quantifier not in _DEMONSTRATIVES else member
 
 
 def _said(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[EmbeddedFrame, ...]:

@@ -1,18 +1,21 @@
 """Questions about missing elements, and the values with which the next utterance answers them."""
 
 from dataclasses import replace
+from itertools import takewhile
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
-from semantic_framer.chosen_things import chosen
+from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.clock_times import clock_time_at
-from semantic_framer.dialogue import Pending, is_yes
+from semantic_framer.dialogue import Pending, is_indifferent, is_yes
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
+from semantic_framer.utterance_kind import kinds_of_clauses
 from semantic_frames.frame import FrameElement, SemanticFrame
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import find_clauses
@@ -21,6 +24,9 @@ from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
 _ARTICLES = word_class("articles")
+_LEAD_IN = word_class("lead_in")
+#: What the hearer is asked to do or told begins with these: "to come home", "that dinner is ready".
+_BEFORE_MESSAGES = frozenset(["to", "that"])
 #: An utterance with one of these words is more than an answer.
 _NO_ANSWER = word_class("negations") | word_class("conditions")
 
@@ -57,7 +63,8 @@ def answer(
         return None
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
-    if any(match_verbs(sentence.tree, clause, known) for clause in find_clauses(sentence.tree, known)):
+    leaves_it_open = bool(pending.offered) and is_indifferent(sentence.tree.text)
+    if not leaves_it_open and _is_said_for_itself(sentence, pending, known):
         return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
@@ -65,8 +72,9 @@ def answer(
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
         asked = reading.argument(name)
-        if pending.offered and values and asked is not None:
-            value = chosen(asked, values[0], pending.offered, known.world)
+        if pending.offered and asked is not None and (values or leaves_it_open):
+            nearest = nearest_of(asked, pending.offered, known.world) if leaves_it_open else None
+            value = nearest or chosen(asked, values[0], pending.offered, known.world)
             values = [] if value is None else [value]
         for value in values:
             reading = with_argument(reading, value)
@@ -81,6 +89,19 @@ def answer(
         (complete or tuple(filled)) if position == pending.clause else readings
         for position, readings in enumerate(pending.clauses)
     )
+
+
+def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexicon) -> bool:
+    """Whether an utterance is no answer, because it is a command. Any statement may be what somebody is to be told."""
+    clauses = find_clauses(sentence.tree, known)
+    asked = zip(pending.clauses[pending.clause], pending.elements)
+    elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
+    if all(element is not None and element.framenet == MESSAGE for element in elements):
+        if sentence.tree.words[0].form.lower() in _BEFORE_MESSAGES:
+            return False
+        kinds = kinds_of_clauses(sentence.tree, clauses, known)
+        return any(kind.acts or kind.kind is UtteranceKind.QUESTION for kind in kinds)
+    return any(match_verbs(sentence.tree, clause, known) for clause in clauses)
 
 
 def time_answered(sentence: Sentence, pending: Pending) -> Optional[PlanPart]:
@@ -141,7 +162,9 @@ def _is_choice(value: TypedArgument, choice: str) -> bool:
 
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[TypedArgument]:
-    positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
+    # "Hello" may be the message.
+    left_out = ("PUNCT",) if element.framenet == MESSAGE else ("PUNCT", "INTJ")
+    positions = [word.index for word in sentence.tree.words if word.upos not in left_out]
     amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     if element.quantity is not None:
         for amount in amounts if not any(amount.is_doubtful for amount in amounts) else ():
@@ -159,4 +182,6 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
     if is_unfinished(sentence.tree, head):
         return []
-    return [sentence.phrases.argument(element.name, head)]
+    # "Now the book", "and the book"
+    before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
+    return [sentence.phrases.argument(element.name, head, left_out=frozenset(before))]

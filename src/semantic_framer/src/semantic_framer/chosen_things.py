@@ -43,3 +43,20 @@ def chosen(
     answer = " ".join(noun if word.lower() in _STANDINS else word for word in words)
     text = f"{argument.text} {answer}" if is_place else argument.text if owned else answer
     return replace(resolved(argument, text), referents=(found[0].id,), referent_count=1, world_version=world.version)
+
+
+def nearest_of(argument: TypedArgument, offered: Tuple[str, ...], world: World) -> Optional[TypedArgument]:
+    """Return an argument that refers to the nearest of the things that were offered: "any of them".
+
+    Args:
+        argument: the argument that was asked about
+        offered: ids of the things that were offered
+        world: what the robot knows
+    Returns:
+        None if the robot knows none of them any longer
+    """
+    found = world.nearest_first(Situation(world).objects(offered))
+    if not found:
+        return None
+    meant = resolved(argument, argument.text)
+    return replace(meant, referents=(found[0].id,), referent_count=1, world_version=world.version)

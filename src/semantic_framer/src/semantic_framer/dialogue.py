@@ -18,6 +18,7 @@ PLACE_PRONOUNS = frozenset(["there"])
 MOST_THINGS = 5
 _AGREEMENTS = word_class("agreements")
 _REFUSALS = word_class("refusals")
+_INDIFFERENCE = word_class("indifference")
 
 
 @dataclass(frozen=True)
@@ -166,6 +167,11 @@ def is_yes(text: str) -> bool:
 def is_no(text: str) -> bool:
     """Whether an utterance declines."""
     return _bare(text) in _REFUSALS
+
+
+def is_indifferent(text: str) -> bool:
+    """Whether an utterance leaves a choice to the robot: "any of them", "I don't care"."""
+    return _bare(text).replace("\u2019", "'") in _INDIFFERENCE
 
 
 def _bare(text: str) -> str:

@@ -65,7 +65,9 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             # "Go near the radio and switch it on": a place may also be a thing.
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
-            meant = _meant_by(word, things, place, accepted, part, known.types)
+            # "What is on the table?" "Put it all on the shelf.": not the table.
+            is_of_several = bool(amount) or value.text.lower() != word
+            meant = _meant_by(word, things, None if is_of_several else place, accepted, part, known.types)
             if meant is not None:
                 text = part_of_text(amount, meant.text) if amount else meant.text
                 value = resolved(value, text, () if amount else meant.phrases)
@@ -73,8 +75,26 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
                 return value
         elif word in PLACE_PRONOUNS and not is_fixed and place is not None:
             value = resolved(value, place.text, place.phrases)
+        elif things and element is not None and element.framenet not in CONTENTS and _is_one_more(value):
+            value = _of_the_same_kind(value, things[0])
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def _is_one_more(value: TypedArgument) -> bool:
+    """Whether a phrase names another thing of a kind: "one", "the red one"; "this one" is shown, not named."""
+    is_one = value.head.lower() in ONES and bool(value.positions) and value.measure is None
+    return is_one and value.quantifier not in DEMONSTRATIVES
+
+
+def _of_the_same_kind(value: TypedArgument, thing: Thing) -> TypedArgument:
+    if not thing.phrases:
+        return value
+    kind = thing.phrases[0]
+    made = of_same_kind(value, replace(kind, head=thing.noun, is_plural=False) if value.head.lower() == "one" else kind)
+    if value.text.lower() != "one":
+        return made
+    return replace(made, text=kind.text if kind.quantifier == "a" else f"one {made.text}", count=1)
 
 
 def _pronoun_in(text: str) -> Tuple[str, str]:
