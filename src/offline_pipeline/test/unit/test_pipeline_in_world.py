@@ -175,6 +175,9 @@ def test_a_pronoun_refers_to_what_it_stands_for(
         ("Bring me the book from the room where Anna is.", ("hall",)),
         ("Go to the table where the book is.", ("table_1",)),
         ("Go to the room where Bob is.", ()),
+        ("Go to the room where Anna was.", ()),
+        ("Go to the room where Anna is not.", ()),
+        ("Go to the room where Anna is sitting.", ("hall",)),
     ],
 )
 def test_a_place_is_the_one_where_somebody_or_something_is(

@@ -18,6 +18,8 @@ _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _POSTURES = word_class("posture_verbs")
+_PRESENT = word_class("present_forms_of_be")
+_PRESENT_TENSE = frozenset(["VBP", "VBZ"])
 _SIDES = word_class("sides")
 #: Ordinal words in their order, from 1.
 _ORDINALS = word_list("ordinals_in_order")
@@ -116,9 +118,13 @@ def located_there(tree: DependencyTree, clause: Word) -> int:
     children = tree.children(clause.index)
     subjects = [child.index for child in children if child.deprel == "nsubj"]
     forms = {clause.form.lower(), *(child.form.lower() for child in children if child.deprel == "advmod")}
-    is_there = any(child.deprel == "cop" for child in children) or clause.lemma.lower() in _POSTURES
+    helping = [child.form.lower() for child in children if child.deprel in ("cop", "aux")]
+    is_posture = clause.lemma.lower() in _POSTURES and (bool(helping) or clause.xpos in _PRESENT_TENSE)
+    is_there = is_posture or any(child.deprel == "cop" for child in children)
+    # Where somebody was, or is not, is another place.
+    is_now = all(form in _PRESENT for form in helping) and not forms & _NEGATIONS
     is_place = "where" in forms or clause.form.lower() in _PLACE_PREPOSITIONS
-    return subjects[0] if len(subjects) == 1 and is_there and is_place else 0
+    return subjects[0] if len(subjects) == 1 and is_there and is_now and is_place else 0
 
 
 def shares_noun(tree: DependencyTree, member: int, head: int) -> bool:
