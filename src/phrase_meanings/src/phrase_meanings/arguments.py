@@ -149,16 +149,18 @@ def on_other_side(
 
 def of_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
     """Return an argument with the head "one" as a thing of the kind of an earlier one: "the red one" after "the blue
-    mug" is the red mug.
+    mug" is the red mug, and after "some mugs", too.
     """
     compounds = tuple(replace(one, position=0) for one in before.modifiers if one.kind == "compound")
-    noun = " ".join([*(one.word for one in compounds), before.head])
+    is_one_of_several = before.is_plural and argument.head.lower() == "one"
+    head = before.lemma if is_one_of_several else before.head
+    noun = " ".join([*(one.word for one in compounds), head])
     return replace(
         argument,
         text=re.sub(r"\bones?\b", lambda match: noun, argument.text, count=1, flags=re.IGNORECASE),
-        head=before.head,
+        head=head,
         lemma=before.lemma,
-        is_plural=before.is_plural,
+        is_plural=before.is_plural and not is_one_of_several,
         semantic_type=before.semantic_type,
         modifiers=compounds + argument.modifiers,
     )

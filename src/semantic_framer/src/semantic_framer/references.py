@@ -91,7 +91,7 @@ def _of_the_same_kind(value: TypedArgument, thing: Thing) -> TypedArgument:
     if not thing.phrases:
         return value
     kind = thing.phrases[0]
-    made = of_same_kind(value, replace(kind, head=thing.noun, is_plural=False) if value.head.lower() == "one" else kind)
+    made = of_same_kind(value, kind)
     if value.text.lower() != "one":
         return made
     return replace(made, text=kind.text if kind.quantifier == "a" else f"one {made.text}", count=1)

@@ -126,6 +126,29 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         relations.with_hearers_joined,
     ),
     TreePass(
+        "messages_behind_clauses",
+        "Make what follows the description of a hearer what the hearer is told.",
+        Example(
+            "tell|VERB|0|root men|NOUN|1|obj who|PRON|4|nsubj wait|VERB|2|acl:relcl that|SCONJ|8|mark "
+            "lunch|NOUN|8|nsubj is|AUX|8|cop ready|ADJ|4|advcl",
+            ("men: obj(tell) -> iobj(tell)", "ready: advcl(wait) -> ccomp(tell)"),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_messages_behind_clauses,
+    ),
+    TreePass(
+        "goals_behind_clauses",
+        "Attach the goal behind the description of a thing to the verb.",
+        Example(
+            "bring|VERB|0|root cups|NOUN|1|obj I|PRON|4|nsubj put|VERB|2|acl:relcl on|ADP|6|case shelves|NOUN|4|obl "
+            "to|ADP|8|case Anna|PROPN|4|obl",
+            ("Anna: obl(put) -> obl(bring)",),
+        ),
+        Stage.FRAMER,
+        relations.with_goals_behind_clauses,
+    ),
+    TreePass(
         "predicates_as_clauses",
         "Make a clause of an object that has a subject and a copula.",
         Example(

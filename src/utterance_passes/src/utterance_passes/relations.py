@@ -3,6 +3,9 @@
 A parser labels each arc by itself; these passes correct labels that contradict the arcs around them.
 """
 
+from typing import FrozenSet, Optional
+
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -12,12 +15,17 @@ from word_classes import word_class
 _ASKING = word_class("asking_verbs")
 #: Tags of a verb that may be a command.
 _BARE_TAGS = frozenset(["VB", "VBP"])
+_GOING = word_class("verbs_of_going")
 _HEARERS = word_class("hearers")
 #: Relations of words that no command has.
 _OF_FINITE = frozenset(["nsubj", "csubj", "aux", "cc", "mark", "expl"])
 _OF_REMARKS = word_class("speaker_subjects") | frozenset(["it"])
 _QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
+_OF_MESSAGES = frozenset(["ccomp", "xcomp"])
+_OPINION = word_class("verbs_of_opinion") - word_class("wanting_verbs") - word_class("wishing_verbs")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_TO_PREPOSITIONS = word_class("to_prepositions")
 #: Words with which begins what is told.
 _OPENINGS = _QUESTION_WORDS | _WHETHER | frozenset(["that"])
 
@@ -187,6 +195,67 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             edit.retag(opening.index, "SCONJ", "IN")
             edit.rehang(opening.index, clauses[0].index, "mark")
     return edit.tree()
+
+
+def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make what follows the description of a hearer what the hearer is told: "tell the man who sits there *that dinner
+    is ready*"."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        hearer = tree.word(clause.head) if clause.head and clause.deprel.startswith("acl") else clause
+        verb = tree.word(hearer.head) if hearer is not clause and hearer.head else hearer
+        lemma = verb.lemma.lower()
+        is_telling = vocabulary.speech_of(lemma) is Speech.TOLD or lemma in _ASKING
+        says_itself = vocabulary.speech_of(clause.lemma.lower()) is not None or clause.lemma.lower() in _OPINION
+        if hearer is verb or hearer.deprel not in ("obj", "iobj") or not is_telling or says_itself:
+            continue
+        message = _message_inside(tree, clause)
+        if message is None or any(child.deprel in _OF_MESSAGES for child in tree.children(verb.index)):
+            continue
+        edit.rehang(message.index, verb.index, "ccomp")
+        edit.relabel(hearer.index, "iobj")
+        opening = tree.word(min(tree.subtree(message.index)))
+        if opening.deprel == "det":
+            edit.retag(opening.index, "SCONJ", "IN")
+            edit.rehang(opening.index, message.index, "mark")
+    return edit.tree()
+
+
+def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
+    """Return the last clause below another one if it begins like a message: "that dinner is ready", "what he wants"."""
+    end = max(tree.subtree(clause.index))
+    for index in sorted(tree.subtree(clause.index) - {clause.index}):
+        word = tree.word(index)
+        inside = tree.subtree(index)
+        opening = tree.word(min(inside)).form.lower()
+        is_clause = word.deprel.split(":")[0] in ("advcl", "acl", "ccomp") and any(
+            child.deprel.startswith("nsubj") for child in tree.children(index)
+        )
+        if is_clause and max(inside) == end and opening in _OPENINGS and min(inside) > clause.index:
+            return word
+    return None
+
+
+def with_goals_behind_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach the goal behind the description of a thing to the verb: "bring the book I put on the shelf *to Anna*"."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        thing = tree.word(clause.head) if clause.head and clause.deprel == "acl:relcl" else clause
+        verb = tree.word(thing.head) if thing is not clause and thing.head else thing
+        if thing.deprel != "obj" or verb.upos != "VERB" or clause.lemma.lower() in _GOING:
+            continue
+        inside = sorted(tree.subtree(clause.index))
+        goals = [tree.word(index) for index in inside if _has_preposition(tree, index, _TO_PREPOSITIONS)]
+        # "That he left *on the table* to the kitchen": nothing is left in two places.
+        places = [index for index in inside if _has_preposition(tree, index, _PLACE_PREPOSITIONS)]
+        is_last = len(goals) == 1 and max(tree.subtree(goals[0].index)) == inside[-1]
+        if is_last and goals[0] is not clause and any(index < goals[0].index for index in places):
+            edit.rehang(goals[0].index, verb.index, "obl")
+    return edit.tree()
+
+
+def _has_preposition(tree: DependencyTree, index: int, prepositions: FrozenSet[str]) -> bool:
+    return any(preposition in prepositions for preposition in prepositions_of(tree, index))
 
 
 def _is_and_then(joint: Word, then: Word) -> bool:
