@@ -153,7 +153,7 @@ def _is_listed(tree: DependencyTree, word: Word) -> bool:
         if other.deprel in ("obl", "conj")
         if cases & {case.form.lower() for case in tree.children(other.index) if case.deprel == "case"}
     ]
-    return min(alike) < word.index < max(alike)
+    return bool(alike) and min(alike) < word.index < max(alike)
 
 
 def _is_shared(tree: DependencyTree, word: Word) -> bool:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from utterance_passes.clauses import shares_a_verb
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import PARSER_TREE_PASSES
@@ -55,3 +56,10 @@ def test_particle_before_a_second_object_is_its_preposition() -> None:
         (6, "det"),
         (1, "obl"),
     ]
+
+
+def test_a_place_without_a_preposition_behind_a_mark_is_no_item_of_a_list() -> None:
+    """Words in any order: "Turn Turn the, off."."""
+    rows = "1 turn turn VERB VB _ 0 root _ _\n2 , , PUNCT , _ 3 punct _ _\n3 off off NOUN NN _ 1 obl _ _"
+    tree = from_conllu(rows)
+    assert not shares_a_verb(tree, tree.word(3))
