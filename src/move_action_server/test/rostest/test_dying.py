@@ -36,12 +36,16 @@ def kill(node_name, signal_number):
 class TestDying(unittest.TestCase):
     """The move server, the robot and a commander die."""
 
+    @classmethod
+    def setUpClass(cls):
+        """Have one client: a server that comes back while a publisher comes and goes never connects to it."""
+        cls.client = actionlib.ActionClient("moving_forward", FilledSemanticFrameAction)
+
     def setUp(self):
         """Wait for a base that stands and a server that can be asked."""
         self.speed, self.samples, self.last_command = None, 0, None
         self.odometry = rospy.Subscriber("odom", Odometry, self.on_odometry, queue_size=1)
         self.commands = rospy.Subscriber("cmd_vel", Twist, self.on_command, queue_size=100)
-        self.client = actionlib.ActionClient("moving_forward", FilledSemanticFrameAction)
         self.assertTrue(self.client.wait_for_server(rospy.Duration(DEADLINE_S)))
         wait_until(lambda: self.speed == 0.0)
 
@@ -49,7 +53,6 @@ class TestDying(unittest.TestCase):
         """Let go of the topics: the next test has its own."""
         self.odometry.unregister()
         self.commands.unregister()
-        self.client.stop()
 
     def on_odometry(self, message):
         """Take odometry."""
