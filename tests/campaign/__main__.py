@@ -5,12 +5,14 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Dict, List, Sequence
+from typing import Dict, Iterable, List, Sequence
 
-from .demand import FORMS, LANES, Demand, Figure, chance_of
+from .demand import ATTACKS, FORMS, LANES, SUITE, Demand, Figure, chance_of
 from .demands import DEMANDS
 from .table import TrialFile, figures_of, markdown
 
@@ -50,15 +52,31 @@ def run(demands: Sequence[Demand], form: str, seed: int, base: Path, folder: Pat
     command = [sys.executable, "-m", "campaign", "--form", form, "--seed", str(seed), "--folder", str(base)]
     loads: Dict[str, float] = {}
 
-    def try_lane(lane: str) -> None:
-        for demand in demands:
-            if demand.lane == lane:
+    # What robots and tests keep between two starts is gone when the campaign ends.
+    with tempfile.TemporaryDirectory(prefix="roboframenet_") as temporary:
+        environment = dict(os.environ, TMPDIR=temporary)
+
+        def try_all(chosen: Iterable[Demand]) -> None:
+            for demand in chosen:
                 print(f"{demand.name}: {demand.title}, {demand.count(form)} trials", flush=True)
-                subprocess.run([*command, "--make-trials", demand.name], check=False)
+                subprocess.run([*command, "--make-trials", demand.name], check=False, env=environment)
                 loads[demand.name] = os.getloadavg()[0]
 
-    with ThreadPoolExecutor(len(LANES)) as lanes:
-        list(lanes.map(try_lane, LANES))
+        may_test = threading.Event()
+
+        def try_lane(lane: str) -> None:
+            of_lane = [demand for demand in demands if demand.lane == lane]
+            try:
+                if lane == SUITE:
+                    may_test.wait()
+                try_all(demand for demand in of_lane if demand.is_without_tests)
+            finally:
+                if lane == ATTACKS:
+                    may_test.set()
+            try_all(demand for demand in of_lane if not demand.is_without_tests)
+
+        with ThreadPoolExecutor(len(LANES)) as lanes:
+            list(lanes.map(try_lane, LANES))
     results: Dict[str, List[Figure]] = {}
     taken: Dict[str, float] = {}
     for demand in demands:

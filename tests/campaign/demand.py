@@ -40,12 +40,15 @@ class Demand:
         title: one line
         counts: number of trials in the forms short, standard and full
         lane: one of ``LANES``
+        is_without_tests: whether it is tried before the lane of the tests begins, because it measures tenths of a
+            second, and tests start browsers and further robots
     """
 
     name = ""
     title = ""
     counts = (0, 0, 0)
     lane = ATTACKS
+    is_without_tests = False
 
     def count(self, form: str) -> int:
         """Number of trials in a form of the campaign."""

@@ -152,6 +152,7 @@ class Preemption(OnRobot):
 
     name, title = "R4", "a command takes the place of another"
     counts = (30, 200, 1000)
+    is_without_tests = True
 
     def trial(self, number: int, chance: random.Random) -> Dict[str, Any]:
         """Drive, and say something else."""

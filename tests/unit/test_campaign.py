@@ -2,8 +2,11 @@
 
 import random
 import sys
+import time
 from pathlib import Path
 from typing import Any, Dict, List, Sequence
+
+import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from campaign import __main__ as program
@@ -101,3 +104,19 @@ def test_odd_words_and_files_are_the_same_for_the_same_seed() -> None:
     assert all(len(text) <= 1500 for text in texts[0])
     files = {malformed(SOURCE, random.Random(seed)) for seed in range(50)}
     assert len(files) > 20
+
+
+def test_tests_begin_behind_what_is_measured_without_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    ended: List[str] = []
+
+    def run(command: Sequence[str], **_: object) -> None:
+        # What was begun too early would end first.
+        time.sleep(0.2 if command[-1] == "R4" else 0.0)
+        ended.append(command[-1])
+
+    monkeypatch.setattr(program.subprocess, "run", run)
+    for names in (("R1", "R4", "R14"), ("R14",), ("R1", "R14")):
+        ended.clear()
+        program.run([DEMANDS[name] for name in names], "short", 7, tmp_path, tmp_path)
+        assert sorted(ended) == sorted(names)
+        assert "R4" not in names or ended[0] == "R4"
