@@ -9,6 +9,7 @@ from home_servers.checking import bring_all_about
 from home_servers.memory import Known
 from home_servers.skills import HERE, Skill, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
+from word_classes import word_class
 
 #: Words for directions of pushing, pulling and sliding.
 _AWAY = ("left", "right", "forward", "back", "backward")
@@ -16,6 +17,7 @@ _AWAY = ("left", "right", "forward", "back", "backward")
 TABLES = ("table", "counter", "desk")
 #: What comes of actions on doors.
 _STATES = {"open": "open", "close": "closed"}
+_RECIPROCALS = tuple(sorted(word_class("reciprocal_pronouns")))
 #: An angle when none is said.
 _HALF_TURN_RAD = math.pi / 2.0
 #: A level in front of its unit: "21.5 degrees".
@@ -138,9 +140,10 @@ def throw(skills: Skills, frame: FilledFrame) -> None:
 def stack(skills: Skills, frame: FilledFrame) -> None:
     """Put things on top of each other, at the goal or where the first one is."""
     near = argument(frame, "source") if said(frame, "source") else None
-    least = 1 if said(frame, "goal") else 2
-    found = skills.find_all(argument(frame, "theme"), "thing", near=near, least=least)
-    if said(frame, "goal"):
+    # "On top of each other" is no place.
+    has_place = said(frame, "goal") and not argument(frame, "goal").text.lower().endswith(_RECIPROCALS)
+    found = skills.find_all(argument(frame, "theme"), "thing", near=near, least=1 if has_place else 2)
+    if has_place:
         skills.take(found[0])
         skills.put(found[0].id, goal_of(skills, argument(frame, "goal")), "on")
     for below, thing in zip(found, found[1:]):

@@ -39,7 +39,7 @@ ODD = (
     ("give me a high five", "lists_less: low_fiving(hand=five, partner=me): dropped."),
     ("take Anna to the hall", "wrong_type: bringing(theme=Anna, goal=the hall): dropped."),
     ("carry Anna to the hall", 'wrong_type: carry Anna to the hall: asked. For me, "Anna" is a person'),
-    ("take it to the hall", "doubtful_type: guiding(cotheme=it, goal=the hall): dropped."),
+    ("take the frobnicator to the hall", "doubtful_type: guiding(cotheme=the frobnicator, goal=the hall): dropped."),
     ("go get it", "verb_compounds: get: compound(go) -> xcomp(go)"),
     ("Can I have the mug?", "light_verbs: have: VERB/have have -> VERB/want want"),
     (

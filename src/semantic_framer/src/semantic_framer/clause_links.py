@@ -26,7 +26,7 @@ _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
-_BEHIND_DELAYS = (("from", "now"),)
+_FROM_NOW = ["from", "now"]
 
 
 @dataclass(frozen=True)
@@ -148,6 +148,7 @@ class _Finder:
             joins = 0 if self._has_more(place, joins) else joins
             finders = (self._joiner, self._linked) if joins > links else (self._linked, self._joiner)
             for find in (
+                self._checked,
                 self._manner,
                 self._of_persons,
                 *finders,
@@ -219,6 +220,20 @@ class _Finder:
             )
             if condition is not None:
                 return self._joint(link, place, end, length, condition), end
+        return None, 0
+
+    def _checked(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return a condition that is checked first: "*check if the door is open, and if so,* close it"."""
+        length = shipped_links().check_at(self.forms[place:])
+        for behind in range(place + length + 1, len(self.words)) if length else ():
+            kind, words_behind = shipped_links().answer_at(self.forms[behind:])
+            end = behind + words_behind
+            if kind is None or self._is_end(end):
+                continue
+            said = [word.index for word in self.words[place + length : behind] if word.upos != "PUNCT"]
+            condition = read_condition(self.sentence, self.known, said)
+            joint = self._joint(Link(kind.value, kind), place, end, length, condition)
+            return (joint, end) if condition is not None else (None, 0)
         return None, 0
 
     def _manner(self, place: int) -> Tuple[Optional[Joint], int]:
@@ -297,8 +312,7 @@ class _Finder:
         while words and words[-1].upos == "PUNCT":
             words = words[:-1]
         said = self.sentence.text([word.index for word in self.words[place : place + length]])
-        positions = frozenset(word.index for word in words)
-        return Joint(link.kind, self.words[place].index, positions, condition, words=said)
+        return Joint(link.kind, self.words[place].index, frozenset(word.index for word in words), condition, words=said)
 
     def _may_end(self, start: int, end: int, *, is_clock: bool = True) -> bool:
         """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb.
@@ -355,9 +369,8 @@ class _Finder:
             seconds = self._seconds(place + 1, end, is_unit_enough=kind is LinkKind.PERIOD)
             if seconds is None:
                 continue
-            for behind in _BEHIND_DELAYS:
-                if tuple(self.forms[end : end + len(behind)]) == behind:
-                    end += len(behind)
+            if self.forms[end : end + len(_FROM_NOW)] == _FROM_NOW:
+                end += len(_FROM_NOW)
             link = Link(kind.value, kind)
             return replace(self._joint(link, place, end, end - place, None), seconds=seconds), end
         return None, 0

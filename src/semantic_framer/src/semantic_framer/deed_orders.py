@@ -18,6 +18,7 @@ _NEGATIONS = word_class("negations")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
 _JOINING = word_class("clause_borders") | {","}
+_BEING_THERE = word_class("verbs_of_being_there")
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
@@ -85,6 +86,9 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
     if place >= len(words) or words[place].xpos not in tags:
         return None
     verb = words[place]
+    spoken = {verb.lemma.lower(), " ".join([verb.lemma, *forms[place + 1 : place + 2]]).lower()}
+    if link.kind is LinkKind.BEFORE and spoken & _BEING_THERE:
+        return None  # "Turn left before you reach the stairs" does not send the robot there.
     return DeedBehind(link.kind, place, verb.index) if known.verbs_beginning_with(verb.lemma.lower()) else None
 
 

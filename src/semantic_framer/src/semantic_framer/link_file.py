@@ -14,7 +14,7 @@ from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
-_SECTIONS = ("links", "joiners", "deeds", "orders", "counts", "bounds", "bounds_behind")
+_SECTIONS = ("links", "joiners", "checks", "answers", "deeds", "orders", "counts", "bounds", "bounds_behind")
 
 
 class LinkKind(Enum):
@@ -68,6 +68,8 @@ class Links:
     Attributes:
         links: what stands before a condition, by its words
         joiners: what stands before a deed, by its words
+        checks: words before a condition that is checked first: "*check whether* it is open"
+        answers: what stands behind such a condition, by its words: "*if so*, close it"
         deeds: what stands before a deed that another one precedes or follows, by its words
         orders: what says how several deeds, or all of them, are done, by its words
         counts: what stands before a number of times, by its words
@@ -77,6 +79,8 @@ class Links:
 
     links: PhraseTable[Link]
     joiners: PhraseTable[Link]
+    checks: PhraseTable[bool]
+    answers: PhraseTable[Link]
     deeds: PhraseTable[Link]
     orders: PhraseTable[Link]
     counts: PhraseTable[Link]
@@ -90,6 +94,23 @@ class Links:
     def joiner_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
         return self.joiners.at(forms)
+
+    def check_at(self, forms: Sequence[str]) -> int:
+        """Return the number of words before a condition to be checked that words in lower case begin with; or 0."""
+        return self.checks.at(forms)[1]
+
+    def answer_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:
+        """Return in which case what follows is done, by the words in lower case behind a condition that is checked.
+
+        Returns:
+            IF or UNLESS, and the number of these words; None and 0 for other words
+        """
+        answer, length = self.answers.at(forms)
+        if answer is not None:
+            return answer.kind, length
+        joiner, length = self.joiners.at(forms)
+        is_other_case = joiner is not None and joiner.kind is LinkKind.OTHERWISE
+        return (LinkKind.UNLESS, length) if is_other_case else (None, 0)
 
     def deed_link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the words before a deed that words in lower case begin with, and their number; None and 0 for none."""
@@ -128,15 +149,16 @@ def load_links(text: str, path: str) -> Links:
     """
     reader = Reader(path)
     sections = reader.mapping(reader.compose(text, "a mapping of links"), "", _SECTIONS, required=_SECTIONS)
-    links, joiners, deeds, orders, counts = (
-        _entries(reader, sections.get(name), name) for name in ("links", "joiners", "deeds", "orders", "counts")
+    links, joiners, answers, deeds, orders, counts = (
+        _entries(reader, sections.get(name), name)
+        for name in ("links", "joiners", "answers", "deeds", "orders", "counts")
     )
-    bounds, behind = (
+    checks, bounds, behind = (
         PhraseTable({tuple(words.split()): True for words in reader.texts(sections.get(name), name)})
-        for name in ("bounds", "bounds_behind")
+        for name in ("checks", "bounds", "bounds_behind")
     )
     reader.refuse_if_wrong()
-    return Links(links, joiners, deeds, orders, counts, bounds, behind)
+    return Links(links, joiners, checks, answers, deeds, orders, counts, bounds, behind)
 
 
 def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> PhraseTable[Link]:

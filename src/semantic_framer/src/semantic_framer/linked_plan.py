@@ -212,14 +212,14 @@ class _Builder:
             return []
         if link.kind not in (LinkKind.IF, LinkKind.UNLESS):
             raise NoStructure("otherwise, without an if")
-        self._take()
+        joiner = self._take()
         other = self._now
         if other is not None and other.is_link:
-            return [self._statement()]
+            return [_led_by(joiner, self._statement())]
         found = self._scope(is_conditional=True)
         if not found:
             raise Open("What should I do otherwise?")
-        return found
+        return [_led_by(joiner, found[0]), *found[1:]]
 
     def _scope(self, *, is_conditional: bool) -> List[Node]:
         found: List[Node] = []
@@ -246,8 +246,8 @@ class _Builder:
         if self._is_now(LinkKind.MEANWHILE):
             node = self._meanwhile(node)
         if self._is_now(LinkKind.OR_ELSE) and not is_conditional:
-            self._take()
-            node = self._several("FALLBACK", [node, self._next_deed()])
+            joiner = self._take()
+            node = self._several("FALLBACK", [node, _led_by(joiner, self._next_deed())])
         elif self._is_now(LinkKind.OTHERWISE) and not is_conditional:
             raise NoStructure("otherwise, without an if")
         return node
@@ -276,7 +276,7 @@ class _Builder:
             raise NoStructure("meanwhile at the end")
         if joint.begins_sentence:
             raise NoStructure("meanwhile begins a sentence")
-        return self._several("PARALLEL", [node, self._next_deed()])
+        return self._several("PARALLEL", [node, _led_by(joint, self._next_deed())])
 
     def _is_behind(self) -> bool:
         """Whether the next unit, a link, belongs to the deed before it."""
@@ -409,6 +409,12 @@ def _with_delays_outside(links: List[_Unit]) -> List[_Unit]:
         else:
             found.append(link)
     return found
+
+
+def _led_by(joiner: _Unit, node: Node) -> Node:
+    """Return a node that is told with the words before it: "*otherwise* go to the kitchen"."""
+    words = joiner.joint.positions if joiner.joint is not None else frozenset()
+    return Node(node.part, node.positions | words)
 
 
 def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:

@@ -283,7 +283,11 @@ def _is_deed(word: Word) -> bool:
 
 
 def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
-    """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"."""
+    """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"; "see if it
+    is open and *in that case* close it", read as "see if it is open and close it"."""
+    forms = [word.form.lower() for word in sentence.tree.open_words]
+    if any(shipped_links().answers.at(forms[place:])[1] for place in range(len(forms))):
+        return True
     said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
     marks = [word for word in sentence.tree.open_words if word.deprel == "mark" and word.index not in said]
     links = [shipped_links().link_at([word.form.lower()])[0] for word in marks if word.head in said]

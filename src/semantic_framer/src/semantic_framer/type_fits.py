@@ -9,6 +9,9 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation
 from semantic_types import Fit
 from typed_arguments import TypedArgument
+from word_classes import word_class
+
+_THINGS = word_class("pronouns_of_things")
 
 
 class TypedArguments(NamedTuple):
@@ -30,6 +33,8 @@ def fit_of_relation(types: PhraseTypes, head: int, relation: ElementRelation) ->
 
     Words without a type fit only a required relation, because otherwise the unit has a better place for them.
     """
+    if relation.is_for_persons and types.word(head).lower() in _THINGS:
+        return Fit.WRONG
     if not relation.semantic_types:
         return Fit.WRONG if relation.words else Fit.LIKELY
     fit = types.fit(head, relation.semantic_types)

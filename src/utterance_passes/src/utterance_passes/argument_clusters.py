@@ -27,8 +27,8 @@ def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> De
     edit = TreeEdit(tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []
     for clause in find_clauses(tree, vocabulary):
-        is_said = vocabulary.speech_of(clause.lemma) is not None
-        if clause.lemma != "be" and (not is_said or tells_several(tree, clause)):
+        speech = vocabulary.speech_of(clause.lemma)
+        if clause.lemma != "be" and (speech is None or tells_several(tree, clause, speech)):
             clusters += _expand(tree, clause, edit)
     return mark_argument_clusters(edit.tree(), tuple(clusters))
 

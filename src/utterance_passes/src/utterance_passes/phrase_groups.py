@@ -7,6 +7,7 @@ from typing import Iterator, List, Optional, Sequence, Set, Tuple
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.vocabulary import Speech
 from word_classes import word_class
 
 _PERSONS_TOLD = word_class("persons_told")
@@ -65,14 +66,21 @@ class Phrase:
 Group = Tuple[Phrase, ...]
 
 
-def tells_several(tree: DependencyTree, clause: Clause) -> bool:
-    """Whether several persons are told something each: "tell *Anna* the time and *Ben* the weather"."""
+def tells_several(tree: DependencyTree, clause: Clause, speech: Speech) -> bool:
+    """Whether several persons are told something each: "tell *Anna* the time and *Ben* the weather", "say hello *to
+    Anna* and goodbye *to Ben*"."""
     groups = groups_of(tree, clause) or ()
     pairs = with_names_apart(groups) or groups
-    return len(pairs) > 1 and all(
-        [phrase.kind for phrase in pair] == [Kind.NOUN, Kind.NOUN] and _is_somebody(tree.word(pair[0].head))
-        for pair in pairs
-    )
+    return len(pairs) > 1 and all(len(pair) == 2 and _is_told(tree, pair, speech) for pair in pairs)
+
+
+def _is_told(tree: DependencyTree, pair: Group, speech: Speech) -> bool:
+    """Whether one of two phrases is somebody, and the other one what is said."""
+    first, second = pair
+    if first.kind is Kind.NOUN and second.preposition == "to":
+        return _is_somebody(tree.word(second.head))
+    are_nouns = first.kind is second.kind is Kind.NOUN
+    return speech is Speech.TOLD and are_nouns and _is_somebody(tree.word(first.head))
 
 
 def _is_somebody(word: Word) -> bool:
@@ -141,6 +149,8 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
         if prepositions:
             return Phrase(Kind.PREPOSITION, tuple(words[:taken]), words[0].form.lower())
         return Phrase(Kind.NOUN, tuple(words[:taken]))
+    if words[0].upos == "INTJ" and not words[0].deprel.startswith("discourse"):
+        return Phrase(Kind.NOUN, (words[0],))
     if words[0].upos in ("ADV", "ADP", "ADJ") and words[0].form.lower() != "to":
         return Phrase(Kind.ADVERB, (words[0],))
     return None

@@ -86,7 +86,7 @@ def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Opt
     for match in match_verbs(tree, clause, vocabulary):
         speech = vocabulary.speech_of(match.verb)
         # "Tell Anna the time and Ben the weather" tells two persons something each.
-        if speech is not None and not (speech is Speech.TOLD and tells_several(tree, clause)):
+        if speech is not None and not tells_several(tree, clause, speech):
             return _Saying(clause, max(match.positions), speech is Speech.TOLD)
     return None
 
