@@ -116,6 +116,8 @@ class Context:
         things: the things mentioned, the last one first; at most ``MOST_THINGS``
         place: the last place mentioned, "the kitchen"; None if there is none
         spoken_of: the things that were mentioned, the last one first
+        persons: the persons mentioned in the last utterance that mentions one, the last one first
+        are_persons_of_before: whether that was an earlier utterance
     """
 
     pending: Optional[Pending] = None
@@ -123,6 +125,8 @@ class Context:
     things: Tuple[Thing, ...] = ()
     place: Optional[Thing] = None
     spoken_of: Tuple[Mention, ...] = ()
+    persons: Tuple[TypedArgument, ...] = ()
+    are_persons_of_before: bool = False
 
     @property
     def ids_spoken_of(self) -> Tuple[str, ...]:
@@ -135,6 +139,13 @@ class Context:
         others = [one for one in self.things if one.text != thing.text]
         return replace(self, things=(replace(thing, noun=[*nouns, thing.noun][0]), *others)[:MOST_THINGS])
 
+    def with_persons(self, persons: Tuple[TypedArgument, ...]) -> "Context":
+        """Return the context after persons were mentioned, the last one first."""
+        if not persons:
+            return self
+        before = () if self.are_persons_of_before else self.persons
+        return replace(self, persons=(*persons, *before), are_persons_of_before=False)
+
     def at(self, now_s: float) -> "Context":
         """Return the context at a time: without a question that has expired."""
         if self.pending is not None and now_s > self.pending.expires_s:
@@ -142,15 +153,14 @@ class Context:
         return self
 
     def fresh(self, said_s: float, timeout_s: float) -> "Context":
-        """Return the context for an utterance: without a last command that was said too long before it.
+        """Return the context for a new utterance: without a last command that was said too long before it.
 
         Args:
             said_s: when the utterance was said, seconds; the stamp of its command
             timeout_s: how long a command may be repeated
         """
-        if self.last is not None and not 0.0 <= said_s - self.last.stamp_s <= timeout_s:
-            return replace(self, last=None)
-        return self
+        is_old = self.last is not None and not 0.0 <= said_s - self.last.stamp_s <= timeout_s
+        return replace(self, last=None if is_old else self.last, are_persons_of_before=True)
 
     def stopped(self) -> "Context":
         """Return the context after a stop: nothing answers a question from before it, and nothing repeats a command

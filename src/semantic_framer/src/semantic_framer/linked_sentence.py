@@ -18,6 +18,7 @@ from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import with_persons
 from semantic_framer.news import with_news
 from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
+from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
@@ -54,7 +55,6 @@ _EACH, _HEARERS = frozenset(["every", "each"]), word_class("hearers")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
-_PERSONS = word_class("persons_of_the_sentence")
 #: Relations of a verb that depends on the one before it.
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
@@ -103,7 +103,7 @@ def read_linked(
     try:
         deeds = [(read.clause, read.kept) for read in clauses]
         kept, plan = without_unused(*linked_plan(sentence, now.known, deeds, joints.found))
-        kept = with_news(with_persons(kept, now.known.frames), sentence, joints, now.known)
+        kept = with_news(with_persons(kept, bare, now.known.frames, context.persons), sentence, joints, now.known)
         if answers_in_a_loop(plan, kept, now.known.frames):
             raise NoStructure("what is answered at once does not go on")
     except Open as question_of:
@@ -140,7 +140,7 @@ def _asked_of_condition(
     joint = next((one for one in joints.found if one.condition and set(value.positions) <= one.positions), None)
     if joint is None or not value.positions:
         return asked
-    what = "whom" if value.text.lower() in _PERSONS else "what"
+    what = "whom" if value.text.lower() in PERSONAL_PRONOUNS else "what"
     before = sentence.text([index for index in sorted(joint.positions) if index < min(value.positions)])
     behind = sentence.text([index for index in sorted(joint.positions) if index > max(value.positions)])
     space = "" if behind[:1] in ("'", "\u2019") else " "

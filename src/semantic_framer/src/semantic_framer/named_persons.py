@@ -1,34 +1,41 @@
 """Persons whom a later clause of a sentence only points at: "when Anna comes in, greet *her*"."""
 
 from dataclasses import replace
-from typing import List, Mapping, Optional, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import resolved
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.linked_clauses import Open
+from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS, persons_meant, persons_mentioned, whom_is_meant
 from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import TypedArgument
 from word_classes import word_class
 
-#: FrameNet's semantic type of persons.
-_PERSON = "Human"
-_PERSONAL = frozenset([_PERSON, "Sentient"])
-_PERSONS = word_class("persons_of_the_sentence")
+#: FrameNet's semantic types of persons.
+_PERSONAL = frozenset(["Human", "Sentient"])
 _ANYBODY = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
 _THEM = word_class("pronouns_of_anybody")
-_NO_NAMES = _PERSONS | word_class("participants") | word_class("pronouns")
 
 
-def with_persons(clauses: Clauses, frames: Mapping[str, SemanticFrame]) -> Clauses:
-    """Return clauses in which "she" and "him" are the person who was named last: "follow Anna until she sits down".
+def with_persons(
+    clauses: Clauses, sentence: Sentence, frames: Mapping[str, SemanticFrame], persons: Sequence[TypedArgument]
+) -> Clauses:
+    """Return clauses in which "she" and "him" are the person who was named: "follow Anna until she sits down".
 
     "They" and "them" are whoever is meant: "whenever somebody comes in, greet *them*".
 
+    Args:
+        clauses: of a sentence with conditions
+        sentence: that has them
+        frames: by name
+        persons: who were mentioned before
     Raises:
-        Open: a condition is about a person who was not named
+        Open: a condition is about a person who was not named, or may be about several
     """
-    named: Optional[TypedArgument] = None
+    spoken_of = tuple(persons)
+    is_of_sentence = False
     met: Optional[TypedArgument] = None
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
@@ -39,16 +46,18 @@ def with_persons(clauses: Clauses, frames: Mapping[str, SemanticFrame]) -> Claus
             for argument in reading.arguments:
                 element = frames[reading.unit.frame_name].element(argument.name)
                 is_person = element is not None and bool(_PERSONAL.intersection(element.semantic_types))
+                meant = persons_meant(argument, spoken_of, may_be_described=True)
                 if argument.text.lower() in _THEM and met is not None and is_person:
                     argument = resolved(argument, met.text)
-                elif argument.text.lower() in _PERSONS and named is not None:
-                    argument = resolved(argument, named.text)
-                elif argument.text.lower() in _PERSONS and is_condition:
-                    raise Open(f'Whom do you mean by "{argument.text}"?')
+                elif len(meant) == 1:
+                    argument = meant[0]
+                elif argument.text.lower() in PERSONAL_PRONOUNS and is_condition:
+                    raise Open(whom_is_meant(argument.text))
                 arguments.append(argument)
             made.append(replace(reading, arguments=tuple(arguments)))
         done.append(tuple(made))
-        persons = [argument for argument in made[0].arguments if argument.semantic_type == _PERSON]
-        named = next((one for one in persons if one.text.lower() not in _NO_NAMES), named)
+        mentioned = persons_mentioned(made[0].arguments, sentence)
+        spoken_of = (*mentioned, *(spoken_of if is_of_sentence else ())) if mentioned else spoken_of
+        is_of_sentence = is_of_sentence or bool(mentioned)
         met = next((one for one in made[0].arguments if one.text.lower() in _ANYBODY), met)
     return tuple(done)

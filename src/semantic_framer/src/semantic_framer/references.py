@@ -9,6 +9,7 @@ from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
 from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
@@ -75,6 +76,10 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
                 return value
         elif word in PLACE_PRONOUNS and not is_fixed and place is not None:
             value = resolved(value, place.text, place.phrases)
+        elif persons := persons_meant(value, context.persons):
+            if len(persons) > 1:
+                return value
+            value = persons[0]
         elif things and element is not None and element.framenet not in CONTENTS and _is_one_more(value):
             value = _of_the_same_kind(value, things[0])
         values.append(value)
@@ -245,9 +250,10 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     return Thing(sentence.text(sorted(sentence.subtree(things[0].index))), things[0].lemma.lower())
 
 
-def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
-    """Remember the things and the place that a reading mentions."""
-    return _remember(frames[reading.unit.frame_name], reading.arguments, frames, context)
+def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
+    """Remember the things, the place and the persons that a reading mentions."""
+    context = _remember(frames[reading.unit.frame_name], reading.arguments, frames, context)
+    return context.with_persons(persons_mentioned(reading.arguments, sentence))
 
 
 def _remember(

@@ -25,6 +25,7 @@ from semantic_framer.outcome import (
     Understood,
     left_over_refusal,
 )
+from semantic_framer.persons_spoken_of import whom_is_meant
 from semantic_framer.reading import Reading
 from semantic_framer.references import noun_phrase, remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
@@ -147,7 +148,8 @@ def _settled(
                 waiting, len(done), question.elements, now.expires_s, question.choices, offered=question.offered
             )
             return question.question, replace(context, pending=pending)
-        context = spoken_of(question[0], now.known, remember(question[0], now.known.frames, context))
+        context = remember(question[0], sentence, now.known.frames, context)
+        context = spoken_of(question[0], now.known, context)
         done.append(question)
     granted = without_granted_wishes(tuple(done), now.known.frames)
     if len(granted) < len(done):
@@ -229,8 +231,8 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
             if outcome != reading:
                 now.write("references", str(reading), str(outcome))
     if unresolved:
-        now.write("references", unresolved[0][1].text, "asked. Nothing is known that it stands for.")
-        question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].text}"?')
+        now.write("references", unresolved[0][1].text, "asked. It is not known what it stands for.")
+        question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)
         return _Open(question, tuple(reading for reading, _ in unresolved), names)
     best = resolved[0]

@@ -49,7 +49,7 @@ def test_what_describes_a_noun_is_part_of_it(understand: Any, text: str, argumen
 
 def test_a_place_in_a_promise_is_told(understand: Any) -> None:
     outcome, _ = understand("Guide Bob to the gate, you will find him at the fountain.")
-    assert meant(outcome) == [{"cotheme": "Bob", "goal": "the gate"}, {"theme": "he", "location": "the fountain"}]
+    assert meant(outcome) == [{"cotheme": "Bob", "goal": "the gate"}, {"theme": "Bob", "location": "the fountain"}]
 
 
 @pytest.mark.parametrize("text", ["could you find Bob at the fountain", "you could find Bob at the fountain"])

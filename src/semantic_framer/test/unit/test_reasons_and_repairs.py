@@ -34,7 +34,7 @@ def said(outcome: Any) -> str:
         ("Bring Anna in the kitchen a glass.", "bringing(theme=a glass, beneficiary=Anna in the kitchen)"),
         ("Bring me please a glass of water.", "bringing(theme=a glass of water, beneficiary=me)"),
         # Nobody is spoken to without a pause.
-        ("Spot Ali, escort him to the exit.", "locating(sought_entity=Ali) + guiding(cotheme=him, goal=the exit)"),
+        ("Spot Ali, escort him to the exit.", "locating(sought_entity=Ali) + guiding(cotheme=Ali, goal=the exit)"),
         (
             "Pinpoint Hayden in the hall, spot Alex, and wave.",
             "locating(sought_entity=Hayden, ground=the hall) + locating(sought_entity=Alex) + waving()",

@@ -24,6 +24,14 @@ def is_person_or_name(word: Word) -> bool:
     return word.upos == "PROPN" or is_person(word)
 
 
+def is_name_of_person(word: Word) -> bool:
+    """Whether a word is a person's name, or one of which nothing is known: "Mary" and "Anna", but not "Monday"."""
+    if word.upos != "PROPN":
+        return False
+    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=True)
+    return types.fit(["Human"]) in (Fit.LIKELY, Fit.UNKNOWN)
+
+
 def is_likely(word: Word, types: Sequence[str]) -> bool:
     """Whether a noun usually has one of some types."""
     return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY

@@ -1,0 +1,82 @@
+"""Persons who were mentioned, and whom "her" and "him" may stand for."""
+
+from dataclasses import replace
+from typing import Dict, Iterable, List, Sequence, Tuple
+
+from phrase_meanings.arguments import referring_to
+from semantic_framer.sentence import Sentence
+from typed_arguments import TypedArgument
+from typed_arguments.positions import without_any_position
+from utterance_passes.persons import is_name_of_person
+from utterance_passes.tree import Word
+from word_classes import word_class
+
+#: FrameNet's semantic type of persons.
+_PERSON = "Human"
+_MALE, _FEMALE = word_class("male_persons"), word_class("female_persons")
+_HE, _SHE = word_class("male_pronouns"), word_class("female_pronouns")
+#: Pronouns for a person who was named before.
+PERSONAL_PRONOUNS = _HE | _SHE
+_INDEFINITE = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
+_NO_NAMES = (
+    PERSONAL_PRONOUNS
+    | word_class("participants")
+    | word_class("pronouns")
+    | word_class("pronouns_of_persons_or_things")
+)
+
+
+def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) -> Tuple[TypedArgument, ...]:
+    """Return the persons that arguments name or describe, the last one first: "*Anna*", "the man", "*Bob*'s bag"."""
+    found: List[TypedArgument] = []
+    for argument in arguments:
+        if argument.semantic_type == _PERSON and argument.text.lower() not in _NO_NAMES:
+            found[:0] = argument.members or (argument,)
+        if argument.possessor is not None:
+            found[:0] = persons_mentioned([argument.possessor], sentence)
+        # Positions may be those of an earlier sentence, about which something was asked.
+        told = [frame for frame in argument.frames if frame.words and frame.words in sentence.tree.text]
+        words = (sentence.word(position) for frame in told for position in frame.positions)
+        # "Tell Anna that *Bob* is here."
+        found[:0] = [_named(word) for word in words if is_name_of_person(word)]
+    return tuple(found)
+
+
+def _named(word: Word) -> TypedArgument:
+    return TypedArgument(text=word.form, head=word.form, lemma=word.lemma, semantic_type=_PERSON)
+
+
+def persons_meant(
+    pronoun: TypedArgument, persons: Sequence[TypedArgument], *, may_be_described: bool = False
+) -> Tuple[TypedArgument, ...]:
+    """Return whom "her" or "him" may stand for, each in the place of the pronoun.
+
+    Args:
+        pronoun: an argument; any other one stands for itself
+        persons: who were mentioned
+        may_be_described: whether those count who were not named, "a man in the hall"; for a server that acts, they are
+            whom it has met by then
+    Returns:
+        several persons if it is open which one is meant; none if nobody fits, or somebody who does not count
+    """
+    word = pronoun.text.lower()
+    if word not in PERSONAL_PRONOUNS:
+        return ()
+    others = _FEMALE if word in _HE else _MALE
+    by_text: Dict[str, TypedArgument] = {one.text.lower(): one for one in persons}
+    possible = [one for one in by_text.values() if one.lemma.lower() not in others]
+    if not may_be_described and not all(map(_is_name, possible)):
+        return ()
+    return tuple(
+        replace(referring_to(pronoun, without_any_position(one)), relation=pronoun.relation) for one in possible
+    )
+
+
+def whom_is_meant(pronoun: str) -> str:
+    """Return the question what a pronoun stands for."""
+    return f'{"Whom" if pronoun.lower() in PERSONAL_PRONOUNS else "What"} do you mean by "{pronoun}"?'
+
+
+def _is_name(person: TypedArgument) -> bool:
+    is_bare = not person.quantifier and person.possessor is None and person.count is None
+    return is_bare and not person.is_plural and person.text.lower() not in _INDEFINITE | _MALE | _FEMALE
