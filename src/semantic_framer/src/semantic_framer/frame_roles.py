@@ -2,8 +2,9 @@
 
 from typing import FrozenSet, Mapping
 
-#: FrameNet's name of saying something to somebody.
+#: FrameNet's names of saying something to somebody, and of ending one's motion.
 TELLING = "Telling"
+STOPPING = "Halt"
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"

@@ -6,6 +6,7 @@ from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.condition_part import ConditionPart, happens
 from semantic_framer.control import going_on, has_end
+from semantic_framer.frame_roles import STOPPING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.item_lists import has_items, items_apart
 from semantic_framer.link_file import LinkKind
@@ -81,6 +82,10 @@ class LinkedClauses:
     def label(self, positions: FrozenSet[int]) -> str:
         """Return words as they were said, without the marks around them."""
         return self._sentence.text(sorted(positions)).strip(" ,;.!?")
+
+    def stops(self, clause: int) -> bool:
+        """Whether a clause ends what runs: "stop when ..."."""
+        return self._known.frames[self.readings[clause][0].unit.frame_name].framenet == STOPPING
 
     def only_waits(self, clause: int) -> bool:
         """Whether a clause may only wait: "wait here until ..."."""

@@ -350,8 +350,10 @@ class _Builder:
         if said is None:
             raise NoStructure("a link without a condition")
         is_only = "only" in joint.words.lower().split()  # "Only if the bell rings" waits for nothing.
-        if joint.kind is LinkKind.IF and not (otherwise or is_only) and self._table.happens(said):
-            joint = replace(joint, kind=LinkKind.WHEN)
+        if joint.kind is LinkKind.IF and not (otherwise or is_only):
+            # "Stop if you see Anna": there is nothing to stop for now.
+            is_stop = all(node.part.kind == "DO" and self._table.stops(node.part.clause) for node in body)
+            joint = replace(joint, kind=LinkKind.WHEN) if is_stop or self._table.happens(said) else joint
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
         is_opposite = joint.kind is LinkKind.UNLESS

@@ -10,12 +10,12 @@ from semantic_framer.clock_times import clock_time_at
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
-from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.frame_roles import MESSAGE, STOPPING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
 from semantic_framer.linked_plan import linked_plan
-from semantic_framer.named_persons import with_persons
+from semantic_framer.named_persons import asked_of_hearer, with_persons
 from semantic_framer.news import with_news
 from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
@@ -44,8 +44,6 @@ _MANNERS = (
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
-#: FrameNet's name of the end of what the robot does.
-_STOPPING = "Halt"
 _ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
 #: Behind them, a time says which order is meant: "forget the alarm at seven".
 _BACK = word_class("verbs_of_taking_back")
@@ -121,7 +119,9 @@ def read_linked(
         outcome = replace(outcome, beginning="BESIDE")
     if isinstance(outcome, Question) and after.pending is not None:
         outcome = _asked_of_condition(sentence, joints, kept, after.pending, outcome)
-    doubt = _asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
+    doubt = None
+    if isinstance(outcome, Understood):
+        doubt = asked_of_hearer(sentence, joints, kept, now.known) or _asked_first(sentence, joints, plan)
     if doubt is not None:
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
@@ -162,7 +162,7 @@ def _with_open_time(
 
 
 def _is_stop(readings: Tuple[Reading, ...], now: Now) -> bool:
-    return now.known.frames[readings[0].unit.frame_name].framenet == _STOPPING
+    return now.known.frames[readings[0].unit.frame_name].framenet == STOPPING
 
 
 def _deeds_first(readings: Tuple[Reading, ...], now: Now) -> Tuple[Reading, ...]:

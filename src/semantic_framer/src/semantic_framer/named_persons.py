@@ -4,13 +4,17 @@ from dataclasses import replace
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import resolved
+from semantic_framer.clause_links import Joints
 from semantic_framer.clause_plan import Clauses
-from semantic_framer.linked_clauses import Open
+from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.linked_clauses import Open, which_of_it
+from semantic_framer.outcome import Question
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS, persons_meant, persons_mentioned, whom_is_meant
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 
 #: FrameNet's semantic types of persons.
@@ -61,3 +65,25 @@ def with_persons(
         is_of_sentence = is_of_sentence or bool(mentioned)
         met = next((one for one in made[0].arguments if one.text.lower() in _ANYBODY), met)
     return tuple(done)
+
+
+def asked_of_hearer(sentence: Sentence, joints: Joints, clauses: Clauses, known: FramedLexicon) -> Optional[Question]:
+    """Return a question about a condition behind a message that is about its hearer; None if there is none.
+
+    "Tell Bob to call me *when he is done*": the robot may tell him then, or he may call then.
+    """
+    for reading in (readings[0] for readings in clauses):
+        roles = {
+            argument.name: known.frames[reading.unit.frame_name].element(argument.name)
+            for argument in reading.arguments
+        }
+        of = {element.framenet: reading.argument(name) for name, element in roles.items() if element is not None}
+        message, hearer = of.get(MESSAGE), of.get(ADDRESSEE)
+        if message is None or hearer is None or not message.positions:
+            continue
+        for joint in joints.found:
+            about = [one for each in clauses for one in each[0].arguments if set(one.positions) & joint.positions]
+            is_behind = joint.condition is not None and joint.first > max(message.positions)
+            if is_behind and any(one.source is Source.INFERRED and one.text == hearer.text for one in about):
+                return Question("AMBIGUOUS", which_of_it(sentence.text(sorted(joint.positions)).strip(" ,.!?")))
+    return None

@@ -29,6 +29,7 @@ def without_aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Dep
         edit.rehang(deed.index, word.head, word.deprel)
         for child in tree.children(word.index):
             if child.index != deed.index:
+                # "Keep following *me*" may be read as "keep me".
                 edit.rehang(child.index, deed.index)
         edit.rehang(word.index, deed.index, ASIDE)
         for child in tree.children(deed.index):
@@ -45,7 +46,9 @@ def _deed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> Optional[
     if any(subject.form.lower() not in _HEARERS for subject in subjects):
         return None
     deed = next((child for child in children if child.index > word.index and child.deprel in _CLAUSES), None)
-    if deed is None or deed.upos != "VERB" or any(child.deprel in ("obj", "iobj") for child in children):
+    if deed is None or deed.upos != "VERB":
+        return None
+    if any(child.deprel in ("obj", "iobj") and child.index < deed.index for child in children):
         return None
     marks = {child.form.lower() for child in tree.children(deed.index) if child.deprel == "mark"}
     is_bare = not marks and deed.xpos == "VBG" and deed.deprel == "xcomp"

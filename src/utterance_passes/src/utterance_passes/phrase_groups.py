@@ -146,6 +146,7 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
             if not more:
                 return None
             taken += 1 + more
+        taken += _length_of_purpose(words[taken:])
         if prepositions:
             return Phrase(Kind.PREPOSITION, tuple(words[:taken]), words[0].form.lower())
         return Phrase(Kind.NOUN, tuple(words[:taken]))
@@ -154,6 +155,12 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
     if words[0].upos in ("ADV", "ADP", "ADJ") and words[0].form.lower() != "to":
         return Phrase(Kind.ADVERB, (words[0],))
     return None
+
+
+def _length_of_purpose(words: Sequence[Word]) -> int:
+    """Return the length, in words, of the purpose at the front of some words: "something *to eat*"; 0 for none."""
+    is_purpose = len(words) > 1 and words[0].form.lower() == "to" and words[1].xpos == "VB"
+    return 2 if is_purpose and words[0].head == words[1].index else 0
 
 
 def _length_of_noun_phrase(tree: DependencyTree, words: Sequence[Word]) -> int:

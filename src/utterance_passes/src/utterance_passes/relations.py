@@ -22,6 +22,7 @@ _OF_FINITE = frozenset(["nsubj", "csubj", "aux", "cc", "mark", "expl"])
 _OF_REMARKS = word_class("speaker_subjects") | frozenset(["it"])
 _QUESTION_WORDS = word_class("question_words")
 _WHETHER = word_class("whether_words")
+_WHO = word_class("relative_persons")
 _OF_MESSAGES = frozenset(["ccomp", "xcomp"])
 _OPINION = word_class("verbs_of_opinion") - word_class("wanting_verbs") - word_class("wishing_verbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -202,7 +203,7 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
     is ready*"."""
     edit = TreeEdit(tree)
     for clause in tree.words:
-        hearer = tree.word(clause.head) if clause.head and clause.deprel.startswith("acl") else clause
+        hearer = _described_by(tree, clause)
         verb = tree.word(hearer.head) if hearer is not clause and hearer.head else hearer
         lemma = verb.lemma.lower()
         is_telling = vocabulary.speech_of(lemma) is Speech.TOLD or lemma in _ASKING
@@ -210,15 +211,35 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
         if hearer is verb or hearer.deprel not in ("obj", "iobj") or not is_telling or says_itself:
             continue
         message = _message_inside(tree, clause)
-        if message is None or any(child.deprel in _OF_MESSAGES for child in tree.children(verb.index)):
+        others = [child for child in tree.children(verb.index) if child is not clause]
+        if message is None or any(child.deprel in _OF_MESSAGES for child in others):
             continue
+        edit.rehang(clause.index, hearer.index, "acl:relcl")
         edit.rehang(message.index, verb.index, "ccomp")
         edit.relabel(hearer.index, "iobj")
-        opening = tree.word(min(tree.subtree(message.index)))
+        opening = tree.word(_first_word(tree, message))
         if opening.deprel == "det":
             edit.retag(opening.index, "SCONJ", "IN")
             edit.rehang(opening.index, message.index, "mark")
     return edit.tree()
+
+
+def _described_by(tree: DependencyTree, clause: Word) -> Word:
+    """Return the noun that a clause describes, the clause itself for none: "tell *Bob*, who is in the garden, that ..."
+    may be read as "tell Bob who is in the garden"."""
+    if clause.head and clause.deprel.startswith("acl"):
+        return tree.word(clause.head)
+    first = _first_word(tree, clause)
+    is_behind_mark = first > 2 and tree.word(first - 1).form == "," and tree.word(first).form.lower() in _WHO
+    if clause.deprel != "ccomp" or not is_behind_mark:
+        return clause
+    heads = [child for child in tree.children(clause.head) if child.deprel in ("obj", "iobj")]
+    return next((child for child in heads if max(tree.subtree(child.index)) == first - 2), clause)
+
+
+def _first_word(tree: DependencyTree, head: Word) -> int:
+    """Return the position of the first word below another one that is no mark."""
+    return min(index for index in tree.subtree(head.index) if index == head.index or tree.word(index).upos != "PUNCT")
 
 
 def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
@@ -227,11 +248,12 @@ def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
     for index in sorted(tree.subtree(clause.index) - {clause.index}):
         word = tree.word(index)
         inside = tree.subtree(index)
-        opening = tree.word(min(inside)).form.lower()
-        is_clause = word.deprel.split(":")[0] in ("advcl", "acl", "ccomp") and any(
+        first = _first_word(tree, word)
+        opening = tree.word(first).form.lower()
+        is_clause = word.deprel.split(":")[0] in ("advcl", "acl", "ccomp", "parataxis") and any(
             child.deprel.startswith("nsubj") for child in tree.children(index)
         )
-        if is_clause and max(inside) == end and opening in _OPENINGS and min(inside) > clause.index:
+        if is_clause and max(inside) == end and opening in _OPENINGS and first > clause.index:
             return word
     return None
 
@@ -246,10 +268,12 @@ def with_goals_behind_clauses(tree: DependencyTree, _: Vocabulary) -> Dependency
             continue
         inside = sorted(tree.subtree(clause.index))
         goals = [tree.word(index) for index in inside if _has_preposition(tree, index, _TO_PREPOSITIONS)]
-        # "That he left *on the table* to the kitchen": nothing is left in two places.
-        places = [index for index in inside if _has_preposition(tree, index, _PLACE_PREPOSITIONS)]
+        # "That he left *on the table* to the kitchen": nothing is left in two places. "That he used *yesterday* to the
+        # kitchen": where a verb goes stands before when it went.
+        ends = [index for index in inside if _has_preposition(tree, index, _PLACE_PREPOSITIONS)]
+        ends += [child.index for child in tree.children(clause.index) if child.deprel == "obl:unmarked"]
         is_last = len(goals) == 1 and max(tree.subtree(goals[0].index)) == inside[-1]
-        if is_last and goals[0] is not clause and any(index < goals[0].index for index in places):
+        if is_last and goals[0] is not clause and any(clause.index < index < goals[0].index for index in ends):
             edit.rehang(goals[0].index, verb.index, "obl")
     return edit.tree()
 
