@@ -6,6 +6,9 @@ from typing import Callable, TypeVar, Union
 
 from frame_registrar.search import Refusal
 
+#: The beginning is over after so many times the time in which one server may register.
+_LONGEST = 3.0
+
 What = TypeVar("What")
 
 
@@ -13,15 +16,18 @@ class Beginning:
     """Repeats a search that finds no server while servers may still register; safe for several threads.
 
     A registrar that has just started, also after a crash, knows no server; all of them hear of it and register. "No
-    server is registered" would be no true answer before they have.
+    server is registered" would be no true answer before they have. On a busy machine they need longer: each one that
+    registers makes the beginning last until the next one may have.
     """
 
     def __init__(self, settle_s: float) -> None:
         """
         Args:
-            settle_s: how long servers may take to register, seconds from now
+            settle_s: how long the first server may take to register, and each further one behind the last, seconds
         """
+        self._settle_s = settle_s
         self._end_s = time.monotonic() + settle_s
+        self._latest_end_s = time.monotonic() + _LONGEST * settle_s
         self._changed = threading.Condition()
         self._registrations = 0
 
@@ -29,6 +35,9 @@ class Beginning:
         """A server has registered."""
         with self._changed:
             self._registrations += 1
+            now_s = time.monotonic()
+            if now_s < self._end_s:
+                self._end_s = min(now_s + self._settle_s, self._latest_end_s)
             self._changed.notify_all()
 
     def search(self, find: Callable[[], Union[What, Refusal]]) -> Union[What, Refusal]:
@@ -47,5 +56,8 @@ class Beginning:
     def _wait_for_more(self, before: int) -> bool:
         """Wait until there are more registrations than before; return False when the beginning is over."""
         with self._changed:
-            rest_s = max(0.0, self._end_s - time.monotonic())
-            return self._changed.wait_for(lambda: self._registrations > before, timeout=rest_s)
+            while self._registrations <= before:
+                rest_s = self._end_s - time.monotonic()
+                if rest_s <= 0.0 or not self._changed.wait(rest_s):
+                    return self._registrations > before
+            return True

@@ -75,7 +75,8 @@ class Settings(Parameters):
         max_candidates: the search for a clause ends at this number
         liveness_period_s: pause between two rounds of asking the servers
         liveness_timeout_s: how long a node may take to answer
-        settle_s: how long after its start a command waits for its servers, which register again
+        settle_s: how long after its start a command waits for its servers, which register again; each that does gives
+            the next one as long
     """
 
     frame_paths: Tuple[str, ...] = parameter((), may_be_single=True)

@@ -30,6 +30,41 @@ def test_a_server_that_registers_late_is_found() -> None:
     server.join()
 
 
+def test_each_registration_gives_the_next_one_as_long() -> None:
+    beginning = Beginning(settle_s=0.2)
+    registered: List[str] = []
+
+    def find() -> Union[str, Refusal]:
+        return "ping" if "ping" in registered else MISSING
+
+    def register() -> None:
+        for name in ("turn", "move", "ping"):
+            time.sleep(0.12)
+            registered.append(name)
+            beginning.hear_registration()
+
+    server = threading.Thread(target=register)
+    server.start()
+    # Later than 0.2 s after the start.
+    assert beginning.search(find) == "ping"
+    server.join()
+
+
+def test_registrations_without_end_do_not_hold_an_answer_back() -> None:
+    beginning = Beginning(settle_s=0.1)
+    is_over = threading.Event()
+
+    def register() -> None:
+        while not is_over.wait(0.02):
+            beginning.hear_registration()
+
+    server = threading.Thread(target=register)
+    server.start()
+    assert beginning.search(lambda: MISSING) == MISSING
+    is_over.set()
+    server.join()
+
+
 def test_a_registration_during_the_search_counts() -> None:
     beginning = Beginning(settle_s=30.0)
     outcomes: List[Union[str, Refusal]] = [MISSING, "ping"]
