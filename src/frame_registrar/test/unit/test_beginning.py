@@ -31,7 +31,7 @@ def test_a_server_that_registers_late_is_found() -> None:
 
 
 def test_each_registration_gives_the_next_one_as_long() -> None:
-    beginning = Beginning(settle_s=0.2)
+    beginning = Beginning(settle_s=1.0)
     registered: List[str] = []
 
     def find() -> Union[str, Refusal]:
@@ -39,13 +39,13 @@ def test_each_registration_gives_the_next_one_as_long() -> None:
 
     def register() -> None:
         for name in ("turn", "move", "ping"):
-            time.sleep(0.12)
+            time.sleep(0.4)
             registered.append(name)
             beginning.hear_registration()
 
     server = threading.Thread(target=register)
     server.start()
-    # Later than 0.2 s after the start.
+    # 1.2 s after the start.
     assert beginning.search(find) == "ping"
     server.join()
 
