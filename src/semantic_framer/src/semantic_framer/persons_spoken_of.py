@@ -30,7 +30,7 @@ def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) ->
     """Return the persons that arguments name or describe, the last one first: "*Anna*", "the man", "*Bob*'s bag"."""
     found: List[TypedArgument] = []
     for argument in arguments:
-        if argument.semantic_type == _PERSON and argument.text.lower() not in _NO_NAMES:
+        if argument.text.lower() not in _NO_NAMES and _is_person(argument, sentence):
             found[:0] = argument.members or (argument,)
         if argument.possessor is not None:
             found[:0] = persons_mentioned([argument.possessor], sentence)
@@ -40,6 +40,14 @@ def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) ->
         # "Tell Anna that *Bob* is here."
         found[:0] = [_named(word) for word in words if is_name_of_person(word)]
     return tuple(found)
+
+
+def _is_person(argument: TypedArgument, sentence: Sentence) -> bool:
+    """Whether an argument is a person; a name of which nothing is known may be one."""
+    if argument.semantic_type:
+        return argument.semantic_type == _PERSON
+    is_said = bool(argument.head_position) and argument.words in sentence.tree.text
+    return is_said and is_name_of_person(sentence.word(argument.head_position))
 
 
 def _named(word: Word) -> TypedArgument:
