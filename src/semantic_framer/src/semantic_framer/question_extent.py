@@ -14,6 +14,9 @@ _ENDINGS = phrases_of("question_endings", "question_courtesies")
 _EXPLETIVES = phrases_of("question_expletives")
 _ASKING = word_class("question_words")
 _DETERMINERS = word_class("determiners")
+_CONJUNCTIONS = word_class("clause_borders")
+_MODALS = word_class("modals")
+_SUBJECTS = word_class("subject_pronouns")
 _MARKS = frozenset("?!")
 
 
@@ -64,6 +67,10 @@ def up_to_its_end(sentence: Sentence, positions: Sequence[int]) -> List[int]:
 
 
 def _is_end(sentence: Sentence, index: int) -> bool:
-    """Whether a word is the mark at the end of a sentence, and not that of "room no. 5"."""
+    """Whether a word is the mark at the end of a sentence, and not that of "room no. 5"; or joins another question."""
     form, words = sentence.word(index).form, sentence.tree.words
+    if form.lower() in _CONJUNCTIONS:
+        behind = [word.form.lower() for word in words[index : index + 2]]
+        # "How many cups are there *and how* many plates", "... *or should I* buy some".
+        return bool(behind) and (behind[0] in _ASKING or (behind[0] in _MODALS and set(behind[1:]) <= _SUBJECTS))
     return form in _MARKS or (form == "." and (index == len(words) or words[index].form[:1].isupper()))

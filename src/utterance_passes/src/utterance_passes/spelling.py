@@ -119,6 +119,12 @@ _HESITATION = re.compile(rf"(?<![\w'-])(?:{_PHRASE})(?![\w'-])(?!\s*(?:{_OBJECT}
 _BEFORE_KNOWING = re.compile(rf"(?:{'|'.join(word_list('before_knowing'))})\s*$", re.IGNORECASE)
 _SAYING = word_class("saying_verbs")
 _UNFINISHED = word_class("only_before_nouns") | word_class("to_prepositions") | word_class("placing_prepositions")
+#: A filler behind a word that another one must follow: "go to *uh* the kitchen". A parser takes it for a verb.
+_INSIDE_PHRASE = re.compile(
+    rf"(?<![\w'-])(?P<before>{'|'.join(sorted(_UNFINISHED))})\s*,?\s+(?:{any_of(shipped_formulas()['fillers']).pattern})"
+    r"\s*,?(?=\s+\w)",
+    re.IGNORECASE,
+)
 
 
 def without_false_starts(spelling: Spelling) -> Spelling:
@@ -159,6 +165,7 @@ def without_hesitation(spelling: Spelling) -> Spelling:
     if _SAYING & {word.group().lower() for word in _SAID.finditer(spelling.text)}:
         return spelling  # They may be part of the message.
     spelling = replaced(spelling, _BETWEEN_COMMAS, _without_filler)
+    spelling = replaced(spelling, _INSIDE_PHRASE, lambda match: match["before"])
     found = _HESITATION.finditer(spelling.text)
     match = next((one for one in found if not _BEFORE_KNOWING.search(spelling.text[: one.start()])), None)
     if match is None or not spelling.text[match.end() :].strip(" .!?,"):
