@@ -43,6 +43,7 @@ from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
+from semantic_framer.whose_deed import whose_deed
 from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
 from semantic_framer.world_references import looked_up_again
 from semantic_frames.frame import SemanticFrame
@@ -280,7 +281,7 @@ class _Hearing:
         known, outcome = self._now.known, heard.outcome
         if isinstance(outcome, Understood):
             best = [readings[0] for readings in outcome.clauses]
-            doubt = doubtful_message(sentence, known, best)
+            doubt = doubtful_message(sentence, known, best) or whose_deed(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
             news = told_when(sentence, known, best)

@@ -126,6 +126,18 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         relations.with_hearers_joined,
     ),
     TreePass(
+        "deeds_of_hearers",
+        "Join a deed that is not the robot's to what a hearer is to do.",
+        Example(
+            "tell|VERB|0|root Anna|PROPN|1|iobj to|PART|4|mark sit|VERB|1|xcomp|sit|VB and|CCONJ|7|cc to|PART|7|mark "
+            "rest|VERB|1|conj|rest|VB",
+            ("rest: conj(tell) -> conj(sit)",),
+            Verbs(frozenset(["tell", "rest"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        relations.with_deeds_of_hearers,
+    ),
+    TreePass(
         "messages_behind_clauses",
         "Make what follows the description of a hearer what the hearer is told.",
         Example(

@@ -198,6 +198,22 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     return edit.tree()
 
 
+def with_deeds_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Join a deed to what a hearer is to do, if it cannot be the robot's: "tell him to sit down *and to relax*", and
+    without "to" where the robot does not know how to do that."""
+    edit = TreeEdit(tree)
+    for deed in tree.words:
+        verb = tree.word(deed.head) if deed.deprel == "conj" and deed.upos == "VERB" else deed
+        lemma = verb.lemma.lower()
+        if verb is deed or (vocabulary.speech_of(lemma) is not Speech.TOLD and lemma not in _ASKING):
+            continue
+        own = [child for child in tree.children(verb.index) if child.index < deed.index and _is_infinitive(tree, child)]
+        is_known = bool(vocabulary.verbs_beginning_with(deed.lemma.lower()))
+        if own and deed.xpos == "VB" and (_is_infinitive(tree, deed) or not is_known):
+            edit.rehang(deed.index, own[-1].index)
+    return edit.tree()
+
+
 def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make what follows the description of a hearer what the hearer is told: "tell the man who sits there *that dinner
     is ready*"."""

@@ -1,0 +1,54 @@
+"""A deed behind a request to somebody, that person's or the robot's: "tell Bob to come and *bring me the book*"."""
+
+from typing import Optional, Sequence
+
+from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import Question
+from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
+from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
+from typed_arguments import TypedArgument
+from utterance_passes.tree import Word
+from word_classes import word_class
+
+_ADDRESSEES = PERSONAL_PRONOUNS | word_class("pronouns_of_persons_or_things")
+
+
+def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
+    """Return the question who is to do what stands behind a request; None if that is plain.
+
+    A mark before "and", "then" and "to" tell ("..., and bring me the book", "... and to bring me the book"), and so
+    does a pronoun for the hearer: "ask Anna to sit down and bring *her* a coffee".
+    """
+    for reading in readings:
+        roles = {
+            one.framenet: reading.argument(one.name) for one in known.frames[reading.unit.frame_name].frame_elements
+        }
+        message, hearer = roles.get(MESSAGE), roles.get(ADDRESSEE)
+        if message is None or hearer is None or not _is_infinitive(sentence, message):
+            continue
+        for word in sentence.tree.children(min(reading.verb_positions)):
+            if _may_be_theirs(sentence, word, max(message.positions)):
+                said = sentence.text(sorted(sentence.tree.subtree(word.index))).strip(" ,.!?").split(" ", 1)[-1]
+                return Question(
+                    "AMBIGUOUS",
+                    f'Who is to "{said}": {hearer.text} or I? Say it in a sentence of its own, or "and to {said}".',
+                )
+    return None
+
+
+def _is_infinitive(sentence: Sentence, message: TypedArgument) -> bool:
+    """Whether a message is what somebody is to do: "tell Bob *to come here*"."""
+    head = message.head_position
+    return head > 0 and any(
+        child.deprel == "mark" and child.form.lower() == "to" for child in sentence.tree.children(head)
+    )
+
+
+def _may_be_theirs(sentence: Sentence, deed: Word, end: int) -> bool:
+    """Whether a deed of the robot follows the end of a request in such a way that it may be a part of it."""
+    inside = sentence.tree.subtree(deed.index)
+    forms = {sentence.word(index).form.lower() for index in inside}
+    follows = deed.deprel == "conj" and deed.xpos == "VB" and min(inside) == end + 1 and deed.index == end + 2
+    return follows and sentence.word(end + 1).form.lower() == "and" and not forms & _ADDRESSEES
