@@ -41,7 +41,7 @@ ORDER = (
     "copulas_at_question_words prepositions_of_nouns words_said phrases_in_a_row places_of_what_fails "
     "places_of_what_there_is places_over_here shared_nouns modals_as_nouns as_well_as not_only bounded_counts "
     "commands_behind_statements remarks prepositions_at_names asked_clauses told_predicates hearers_joined "
-    "messages_behind_clauses goals_behind_clauses predicates_as_clauses hands_at_verbs there_at_things "
+    "deeds_of_hearers messages_behind_clauses goals_behind_clauses predicates_as_clauses hands_at_verbs there_at_things "
     "phrases_of_what_is_asked upside_down places_in_a_row wholes_at_pronouns purposes_of_things things_named_again "
     "exceptions meant_instead ways_behind_particles avoided_places awaited_deeds sides_in_order items_in_order "
     "contrasts particles_on_the_way ahead_of speeds_together superlatives_at_nouns places_of_devices places_of_all "
