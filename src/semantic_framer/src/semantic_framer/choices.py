@@ -108,12 +108,20 @@ def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary
     if any(match_verbs(sentence.tree, clause, vocabulary) for clause in find_clauses(sentence.tree, vocabulary)):
         return whole[0] if whole else None
     picked = whole or [choice for choice in choices if said and _is_part(said, _words(choice.text.split()))]
+    if not said:
+        # "You", of "Bob shall go or you shall go".
+        bare = _in_lower_case(sentence.tree.text.split())
+        picked = [choice for choice in choices if bare and _is_part(bare, _in_lower_case(choice.text.split()))]
     return picked[0] if len(picked) == 1 else None
 
 
 def _words(forms: Iterable[str]) -> List[str]:
-    lower = [form.lower().strip(".,;:!?") for form in forms]
-    return [form for form in lower if form and form not in _COMMON]
+    return [form for form in _in_lower_case(forms) if form not in _COMMON]
+
+
+def _in_lower_case(forms: Iterable[str]) -> List[str]:
+    lower = (form.lower().strip(".,;:!?") for form in forms)
+    return [form for form in lower if form]
 
 
 def _is_part(said: Sequence[str], of: Sequence[str]) -> bool:

@@ -281,9 +281,12 @@ class _Hearing:
         known, outcome = self._now.known, heard.outcome
         if isinstance(outcome, Understood):
             best = [readings[0] for readings in outcome.clauses]
-            doubt = doubtful_message(sentence, known, best) or whose_deed(sentence, known, best)
+            doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
+            choices = whose_deed(sentence, known, best)
+            if choices:
+                return Heard(*ask_which(choices, context, self._now), sentence)
             news = told_when(sentence, known, best)
             if news.found:
                 waited = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, news)}" is meant.')

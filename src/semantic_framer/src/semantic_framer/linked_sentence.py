@@ -119,9 +119,10 @@ def read_linked(
         outcome = replace(outcome, beginning="BESIDE")
     if isinstance(outcome, Question) and after.pending is not None:
         outcome = _asked_of_condition(sentence, joints, kept, after.pending, outcome)
-    doubt = None
-    if isinstance(outcome, Understood):
-        doubt = asked_of_hearer(sentence, joints, kept, now.known) or _asked_first(sentence, joints, plan)
+    whose = asked_of_hearer(sentence, joints, kept, now.known) if isinstance(outcome, Understood) else None
+    if whose is not None:
+        return Heard(whose, context, sentence, clauses)
+    doubt = _asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
     if doubt is not None:
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
@@ -285,14 +286,24 @@ def _is_deed(word: Word) -> bool:
 def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
     """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"; "see if it
     is open and *in that case* close it", read as "see if it is open and close it"."""
-    forms = [word.form.lower() for word in sentence.tree.open_words]
-    if any(shipped_links().answers.at(forms[place:])[1] for place in range(len(forms))):
+    if _answer_words(sentence):
         return True
     said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
     marks = [word for word in sentence.tree.open_words if word.deprel == "mark" and word.index not in said]
     links = [shipped_links().link_at([word.form.lower()])[0] for word in marks if word.head in said]
     # "Check *if* the lights are off" asks; an end is no question.
     return any(link is not None and link.kind is LinkKind.UNTIL for link in links)
+
+
+def _answer_words(sentence: Sentence) -> Tuple[int, ...]:
+    """Return the positions of words that say in which case something is done: "*in that case* close it"."""
+    words = sentence.tree.open_words
+    forms = [word.form.lower() for word in words]
+    for place in range(len(words)):
+        length = shipped_links().answers.at(forms[place:])[1]
+        if length:
+            return tuple(word.index for word in words[place : place + length])
+    return ()
 
 
 def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
@@ -394,7 +405,7 @@ def _as_if_timed(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str,
 
 def joint_words(sentence: Sentence, joints: Joints) -> str:
     """Return the words that join, as a person would quote them."""
-    words = sentence.text(sorted(joints.positions)).strip(" ,.!?")
+    words = sentence.text(sorted(joints.positions) or _answer_words(sentence)).strip(" ,.!?")
     return words[:1].lower() + words[1:]
 
 

@@ -73,12 +73,8 @@ def asked_of_hearer(sentence: Sentence, joints: Joints, clauses: Clauses, known:
     "Tell Bob to call me *when he is done*": the robot may tell him then, or he may call then.
     """
     for reading in (readings[0] for readings in clauses):
-        roles = {
-            argument.name: known.frames[reading.unit.frame_name].element(argument.name)
-            for argument in reading.arguments
-        }
-        of = {element.framenet: reading.argument(name) for name, element in roles.items() if element is not None}
-        message, hearer = of.get(MESSAGE), of.get(ADDRESSEE)
+        frame = known.frames[reading.unit.frame_name]
+        message, hearer = (reading.argument_in_role(role, frame) for role in (MESSAGE, ADDRESSEE))
         if message is None or hearer is None or not message.positions:
             continue
         for joint in joints.found:

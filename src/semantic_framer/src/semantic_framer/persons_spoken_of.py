@@ -1,7 +1,7 @@
 """Persons who were mentioned, and whom "her" and "him" may stand for."""
 
 from dataclasses import replace
-from typing import Dict, Iterable, List, Sequence, Tuple
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import referring_to
 from semantic_framer.sentence import Sentence
@@ -34,20 +34,26 @@ def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) ->
             found[:0] = argument.members or (argument,)
         if argument.possessor is not None:
             found[:0] = persons_mentioned([argument.possessor], sentence)
-        # Positions may be those of an earlier sentence, about which something was asked.
-        told = [frame for frame in argument.frames if frame.words and frame.words in sentence.tree.text]
-        words = (sentence.word(position) for frame in told for position in frame.positions)
         # "Tell Anna that *Bob* is here."
-        found[:0] = [_named(word) for word in words if is_name_of_person(word)]
+        told = (position for frame in argument.frames if frame.words for position in frame.positions)
+        words = (_word_said(position, argument.words, sentence) for position in told)
+        found[:0] = [_named(word) for word in words if word is not None and is_name_of_person(word)]
     return tuple(found)
+
+
+def _word_said(position: int, words: str, sentence: Sentence) -> Optional[Word]:
+    """Return a word of a phrase; None if the phrase is of an earlier sentence, about which something was asked."""
+    if not 0 < position <= len(sentence.tree.words) or sentence.word(position).form not in words:
+        return None
+    return sentence.word(position) if words in sentence.tree.text else None
 
 
 def _is_person(argument: TypedArgument, sentence: Sentence) -> bool:
     """Whether an argument is a person; a name of which nothing is known may be one."""
     if argument.semantic_type:
         return argument.semantic_type == _PERSON
-    is_said = bool(argument.head_position) and argument.words in sentence.tree.text
-    return is_said and is_name_of_person(sentence.word(argument.head_position))
+    head = _word_said(argument.head_position, argument.words, sentence)
+    return head is not None and is_name_of_person(head)
 
 
 def _named(word: Word) -> TypedArgument:

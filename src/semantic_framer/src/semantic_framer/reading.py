@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple, cast
 
-from semantic_frames.frame import FrameElement
+from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.measures import Amount
@@ -100,6 +100,11 @@ class Reading:
         """The missing elements to ask a person for; unit elements are left out, because an amount includes its unit."""
         units = frozenset(element.unit_element for element in self.missing)
         return tuple(element for element in self.missing if element.name not in units)
+
+    def argument_in_role(self, role: str, frame: SemanticFrame) -> Optional[TypedArgument]:
+        """Return the argument that has a role of FrameNet in the frame; None if there is none."""
+        found = (self.argument(element.name) for element in frame.frame_elements if element.framenet == role)
+        return next((argument for argument in found if argument is not None), None)
 
     def argument(self, name: str) -> Optional[TypedArgument]:
         """Return the argument of an element; None if it has none."""

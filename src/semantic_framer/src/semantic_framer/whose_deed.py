@@ -1,41 +1,43 @@
 """A deed behind a request to somebody, that person's or the robot's: "tell Bob to come and *bring me the book*"."""
 
-from typing import Optional, Sequence
+from typing import Sequence, Tuple
 
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.outcome import Question
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
 _ADDRESSEES = PERSONAL_PRONOUNS | word_class("pronouns_of_persons_or_things")
 
 
-def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
-    """Return the question who is to do what stands behind a request; None if that is plain.
+def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Tuple[Choice, ...]:
+    """Return who may be to do what stands behind a request, as choices; none if that is plain.
 
     A mark before "and", "then" and "to" tell ("..., and bring me the book", "... and to bring me the book"), and so
     does a pronoun for the hearer: "ask Anna to sit down and bring *her* a coffee".
     """
     for reading in readings:
-        roles = {
-            one.framenet: reading.argument(one.name) for one in known.frames[reading.unit.frame_name].frame_elements
-        }
-        message, hearer = roles.get(MESSAGE), roles.get(ADDRESSEE)
+        frame = known.frames[reading.unit.frame_name]
+        message, hearer = (reading.argument_in_role(role, frame) for role in (MESSAGE, ADDRESSEE))
         if message is None or hearer is None or not _is_infinitive(sentence, message):
             continue
-        for word in sentence.tree.children(min(reading.verb_positions)):
-            if _may_be_theirs(sentence, word, max(message.positions)):
-                said = sentence.text(sorted(sentence.tree.subtree(word.index))).strip(" ,.!?").split(" ", 1)[-1]
-                return Question(
-                    "AMBIGUOUS",
-                    f'Who is to "{said}": {hearer.text} or I? Say it in a sentence of its own, or "and to {said}".',
+        for deed in sentence.tree.children(min(reading.verb_positions)):
+            if _may_be_theirs(sentence, deed, max(message.positions)):
+                said = sentence.text(sorted(sentence.tree.subtree(deed.index))).strip(" ,.!?").split(" ", 1)[-1]
+                theirs, own = TreeEdit(sentence.tree), TreeEdit(sentence.tree)
+                theirs.rehang(deed.index, message.head_position, "conj")
+                own.relabel(deed.index, "parataxis")
+                return (
+                    Choice(f"{hearer.text} shall {said}", theirs.tree()),
+                    Choice(f"you shall {said}", own.tree()),
                 )
-    return None
+    return ()
 
 
 def _is_infinitive(sentence: Sentence, message: TypedArgument) -> bool:
