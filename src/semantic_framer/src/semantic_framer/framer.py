@@ -293,14 +293,11 @@ class _Hearing:
                 return read_linked(sentence, context, self._now, waited, news) or heard
             is_lost = has_lost_link(sentence, best)
             joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
-            swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
-            refused = Heard(swallowed, context, sentence)
             how = Joints() if joints.found else manners(sentence, known)
-            if how.found:
+            if how.found or joints.found or is_lost:
+                how = how if how.found else joints
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
-            if joints.found or is_lost:
-                return read_linked(sentence, context, self._now, swallowed, joints) or refused
         else:
             heard = read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
             if not isinstance(heard.outcome, Understood):

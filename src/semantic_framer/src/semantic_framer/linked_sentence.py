@@ -297,10 +297,10 @@ def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
 
 def _answer_words(sentence: Sentence) -> Tuple[int, ...]:
     """Return the positions of words that say in which case something is done: "*in that case* close it"."""
-    words = sentence.tree.open_words
+    words, answers = sentence.tree.open_words, shipped_links().answers
     forms = [word.form.lower() for word in words]
-    for place in range(len(words)):
-        length = shipped_links().answers.at(forms[place:])[1]
+    for place, form in enumerate(forms):
+        length = answers.at(forms[place:])[1] if answers.begins_with(form) else 0
         if length:
             return tuple(word.index for word in words[place : place + length])
     return ()

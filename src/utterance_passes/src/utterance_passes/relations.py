@@ -245,9 +245,10 @@ def _described_by(tree: DependencyTree, clause: Word) -> Word:
     may be read as "tell Bob who is in the garden"."""
     if clause.head and clause.deprel.startswith("acl"):
         return tree.word(clause.head)
+    if clause.deprel != "ccomp":
+        return clause
     first = _first_word(tree, clause)
-    is_behind_mark = first > 2 and tree.word(first - 1).form == "," and tree.word(first).form.lower() in _WHO
-    if clause.deprel != "ccomp" or not is_behind_mark:
+    if first < 3 or tree.word(first - 1).form != "," or tree.word(first).form.lower() not in _WHO:
         return clause
     heads = [child for child in tree.children(clause.head) if child.deprel in ("obj", "iobj")]
     return next((child for child in heads if max(tree.subtree(child.index)) == first - 2), clause)
