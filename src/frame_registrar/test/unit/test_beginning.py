@@ -2,7 +2,7 @@
 
 import threading
 import time
-from typing import List, Union
+from typing import List, Sequence, Union
 
 from frame_registrar.beginning import Beginning
 from frame_registrar.search import Refusal
@@ -10,44 +10,31 @@ from frame_registrar.search import Refusal
 MISSING = Refusal("NO_SERVER", "No server is registered.")
 
 
-def test_a_server_that_registers_late_is_found() -> None:
-    beginning = Beginning(settle_s=30.0)
+def found_while_they_register(names: Sequence[str], *, settle_s: float, pause_s: float) -> Union[str, Refusal]:
+    """What a search for the last of some servers returns that register with a pause before each."""
+    beginning = Beginning(settle_s)
     registered: List[str] = []
 
-    def find() -> Union[str, Refusal]:
-        return "ping" if "ping" in registered else MISSING
-
     def register() -> None:
-        for name in ("turn", "ping"):
-            time.sleep(0.05)
+        for name in names:
+            time.sleep(pause_s)
             registered.append(name)
             beginning.hear_registration()
 
-    server = threading.Thread(target=register)
-    server.start()
-    assert beginning.search(find) == "ping"
-    assert registered == ["turn", "ping"]
-    server.join()
+    servers = threading.Thread(target=register)
+    servers.start()
+    found = beginning.search(lambda: names[-1] if names[-1] in registered else MISSING)
+    servers.join()
+    return found
+
+
+def test_a_server_that_registers_late_is_found() -> None:
+    assert found_while_they_register(["turn", "ping"], settle_s=30.0, pause_s=0.05) == "ping"
 
 
 def test_each_registration_gives_the_next_one_as_long() -> None:
-    beginning = Beginning(settle_s=1.0)
-    registered: List[str] = []
-
-    def find() -> Union[str, Refusal]:
-        return "ping" if "ping" in registered else MISSING
-
-    def register() -> None:
-        for name in ("turn", "move", "ping"):
-            time.sleep(0.4)
-            registered.append(name)
-            beginning.hear_registration()
-
-    server = threading.Thread(target=register)
-    server.start()
     # 1.2 s after the start.
-    assert beginning.search(find) == "ping"
-    server.join()
+    assert found_while_they_register(["turn", "move", "ping"], settle_s=1.0, pause_s=0.4) == "ping"
 
 
 def test_registrations_without_end_do_not_hold_an_answer_back() -> None:
