@@ -25,7 +25,9 @@ def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Read
     for reading in readings:
         frame = known.frames[reading.unit.frame_name]
         message, hearer = (reading.argument_in_role(role, frame) for role in (MESSAGE, ADDRESSEE))
-        if message is None or hearer is None or not _is_infinitive(sentence, message):
+        if message is None or hearer is None or not (message.positions and reading.verb_positions):
+            continue  # A repeated command has no words in this sentence.
+        if not _is_infinitive(sentence, message):
             continue
         for deed in sentence.tree.children(min(reading.verb_positions)):
             if _may_be_theirs(sentence, deed, max(message.positions)):
