@@ -1,7 +1,7 @@
 """Whether an utterance takes back the standing order to which the last reply was given."""
 
 from collections import deque
-from typing import Deque
+from typing import Deque, FrozenSet
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply
@@ -43,11 +43,15 @@ class OrdersTakenBack:
     def __init__(self) -> None:
         self._status = CommandStatus()
         self._told: Deque[Command] = deque(maxlen=_MOST_TOLD)
+        self._open_ids: FrozenSet[str] = frozenset()
 
     def hear_status(self, status: CommandStatus) -> None:
         """The command server tells which commands are open, and its last reply."""
+        # Each status has all open commands: in a storm they are many, and most of them were in the last one.
+        known, self._open_ids = self._open_ids, frozenset(command.id for command in status.active)
         for command in status.active:
-            self._note(command)
+            if command.id not in known:
+                self._note(command)
         self.hear_reply(status.last_reply)
         self._status = status
 

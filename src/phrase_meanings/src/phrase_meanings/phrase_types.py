@@ -28,11 +28,11 @@ _QUANTITY = of_names(["Quantity"])
 _OPEN_TYPES = frozenset(["Physical_object", "Human"])
 _PERSON_OR_THING = of_weights({"Physical_object": 3.0, "Human": 1.0})
 #: A bare proper noun that no dictionary knows is rarely anything but a person; a capital makes it surer: "take Bill".
-_NAMED = of_names(["Human", "Location"])
+_NAMED = of_weights({"Human": 5.0, "Location": 1.0})
 _NAME_WITH_CAPITAL = 0.85
 _NAME_WITHOUT_CAPITAL = 0.5
 #: Many places have the name of a person; few other things have.
-_PLACE = 0.4
+_PLACE = 0.5
 _KNOWN = 0.7
 #: "A cup of coffee" is coffee rather than a cup.
 _OF_COMPLEMENT = 0.6

@@ -44,6 +44,11 @@ class Node(NamedTuple):
     positions: FrozenSet[int]
 
 
+def ends_what_runs(readings: Sequence[Reading], known: FramedLexicon) -> bool:
+    """Whether a clause ends what runs: "stop when ..."; its readings are given best first."""
+    return known.frames[readings[0].unit.frame_name].framenet == STOPPING
+
+
 class LinkedClauses:
     """The clauses of a sentence; conditions and items of lists are added.
 
@@ -85,7 +90,7 @@ class LinkedClauses:
 
     def stops(self, clause: int) -> bool:
         """Whether a clause ends what runs: "stop when ..."."""
-        return self._known.frames[self.readings[clause][0].unit.frame_name].framenet == STOPPING
+        return ends_what_runs(self.readings[clause], self._known)
 
     def only_waits(self, clause: int) -> bool:
         """Whether a clause may only wait: "wait here until ..."."""

@@ -10,10 +10,10 @@ from semantic_framer.clock_times import clock_time_at
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
-from semantic_framer.frame_roles import MESSAGE, STOPPING
+from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
-from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
+from semantic_framer.linked_clauses import NoStructure, Open, ends_what_runs, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import asked_of_hearer, with_persons
 from semantic_framer.news import with_news
@@ -111,7 +111,7 @@ def read_linked(
         return refused
     now.write("plan", sentence.tree.text, str(plan))
     deeds_said = [kept[leaf.clause] for leaf in leaves_of(plan) if leaf.kind == "DO"]
-    is_stop = bool(deeds_said) and all(_is_stop(readings, now) for readings in deeds_said)
+    is_stop = bool(deeds_said) and all(ends_what_runs(readings, now.known) for readings in deeds_said)
     plan = with_wait(plan) if is_stop else plan
     outcome, after = resolve_and_confirm(kept, bare, context, now, plan=plan)
     if is_stop and isinstance(outcome, Understood) and plan.kind not in ("AT", "WHENEVER"):
@@ -160,10 +160,6 @@ def _with_open_time(
     clauses = without_positions(heard.outcome.clauses)
     pending = Pending(clauses, 0, (), now.expires_s, plan=heard.outcome.plan, open_time=words)
     return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
-
-
-def _is_stop(readings: Tuple[Reading, ...], now: Now) -> bool:
-    return now.known.frames[readings[0].unit.frame_name].framenet == STOPPING
 
 
 def _deeds_first(readings: Tuple[Reading, ...], now: Now) -> Tuple[Reading, ...]:

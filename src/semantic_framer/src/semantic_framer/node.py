@@ -87,6 +87,10 @@ class _Talk:
     heeded: Optional[Mapping[str, FrameHeeding]] = None
     subscriber: Optional[rospy.Subscriber] = None
 
+    def is_stopped(self, command: Command) -> bool:
+        """Whether a stop ended a command. A stop in the future does not count: the clock was set back."""
+        return not command.stamp.is_zero() and command.stamp <= self.stop_stamp <= rospy.Time.now()
+
 
 class SemanticFramer:
     """Understands commands, one at a time. Each robot of a fleet has a dialogue of its own.
@@ -273,6 +277,10 @@ class SemanticFramer:
             sentence = f"That is for {listed(others)}. I am {spoken(robot)}."
             self._end(message.command, outcome=Reply.REFUSED, code="NOT_ADDRESSED", sentence=sentence)
             return
+        if self._talk(robot).is_stopped(message.command):
+            # It is answered already. What is said next does not wait until it is understood.
+            self._end(message.command, outcome=Reply.SUPERSEDED, code="STOPPED", sentence="A stop ended it.")
+            return
         try:
             tree = to_tree(message.command.text, message.words)
             outcome, trace = self._read(tree, message.command)
@@ -294,7 +302,7 @@ class SemanticFramer:
     def _read(self, tree: DependencyTree, command: Command) -> Tuple[Outcome, str]:
         """Return the outcome of an utterance, and the trace of the rules."""
         end = time.monotonic() + CATALOGUE_DELAY_S
-        stamp, talk = command.stamp, self._talk(command.robot)
+        talk = self._talk(command.robot)
         with self._lock:
             while True:
                 frames = self._frames
@@ -312,7 +320,7 @@ class SemanticFramer:
                     context=talk.context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
-                    said_s=stamp.to_sec(),
+                    said_s=command.stamp.to_sec(),
                     is_at_page=not is_spoken(command.id),
                     trace=trace,
                 )
@@ -331,10 +339,9 @@ class SemanticFramer:
                         questions=self._settings.questions,
                         trace=trace,
                     )
-                    # A stopped command asks nothing. A stop stamp in the future does not count: the clock was set back.
-                    is_stopped = stamp <= talk.stop_stamp <= rospy.Time.now() and not talk.stop_stamp.is_zero()
-                    talk.context = context.stopped() if is_stopped else context
-                    talk.stamp = stamp
+                    # A command that is stopped while it is understood asks nothing.
+                    talk.context = context.stopped() if talk.is_stopped(command) else context
+                    talk.stamp = command.stamp
                     return outcome, str(trace) if trace is not None else ""
 
     def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:

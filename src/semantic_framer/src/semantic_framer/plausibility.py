@@ -11,6 +11,7 @@ from semantic_framer.things import is_indefinite, is_no_thing
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import TypedArgument
+from utterance_passes.persons import is_name_of_person
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
@@ -90,10 +91,15 @@ def _measured(reading: Reading) -> FrozenSet[int]:
 
 def is_asked_about_elsewhere(filled: Filled) -> bool:
     """Whether a word has the wrong type here, and the right one in a reading that only lacks an element: "take Anna"
-    asks where to, not whether Anna is a thing."""
-    return any(wrong.name == filled.value.name for wrong in filled.reading.wrong_types) and any(
-        other.missing and not other.wrong_types and filled.head.index in other.listed and not other.left_over
+    asks where to, not whether Anna is a thing. So does "take Rose", whose name is a thing, too."""
+    reading = filled.reading
+    is_odd = any(wrong.name == filled.value.name for wrong in reading.wrong_types) or (
+        bool(reading.doubtful_types) and is_name_of_person(filled.head)
+    )
+    return is_odd and any(
+        other.missing and not other.wrong_types and not other.doubtful_types
         for other in filled.beside
+        if filled.head.index in other.listed and not other.left_over
     )
 
 

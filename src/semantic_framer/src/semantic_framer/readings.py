@@ -229,13 +229,14 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
     """Count the words that are unlikely to be meant for the element that they fill.
 
     A word that another unit lists is rarely a thing: a person who asks for a high five does not want an object. "A
-    kitchen" is rarely the name of a place, unlike "the kitchen"; it says what kind of place it is.
+    kitchen" and "Anna" are rarely names of places, unlike "the kitchen": they say what kind of place, or who, it is.
     """
     frame = case.of.known.frames[reading.unit.frame_name]
     names = frozenset(element.name for element in frame.frame_elements if element.framenet == NAME)
+    is_doubtful = reading.doubtful_types > 0
     return sum(
         value.head_position in listed - reading.listed
-        or (value.name in names and is_indefinite(case.sentence.tree, value.head_position))
+        or (value.name in names and (is_doubtful or is_indefinite(case.sentence.tree, value.head_position)))
         for value in reading.arguments
         if value.head_position
     )

@@ -7,7 +7,6 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
-from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.utterance_pass import Choice
@@ -27,8 +26,8 @@ def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Read
         message, hearer = (reading.argument_in_role(role, frame) for role in (MESSAGE, ADDRESSEE))
         if message is None or hearer is None or not (message.positions and reading.verb_positions):
             continue  # A repeated command has no words in this sentence.
-        if not _is_infinitive(sentence, message):
-            continue
+        if not sentence.tree.is_infinitive(message.head_position):
+            continue  # "Tell Bob that dinner is ready" says nothing to do.
         for deed in sentence.tree.children(min(reading.verb_positions)):
             if _may_be_theirs(sentence, deed, max(message.positions)):
                 said = sentence.text(sorted(sentence.tree.subtree(deed.index))).strip(" ,.!?").split(" ", 1)[-1]
@@ -40,14 +39,6 @@ def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Read
                     Choice(f"you shall {said}", own.tree()),
                 )
     return ()
-
-
-def _is_infinitive(sentence: Sentence, message: TypedArgument) -> bool:
-    """Whether a message is what somebody is to do: "tell Bob *to come here*"."""
-    head = message.head_position
-    return head > 0 and any(
-        child.deprel == "mark" and child.form.lower() == "to" for child in sentence.tree.children(head)
-    )
 
 
 def _may_be_theirs(sentence: Sentence, deed: Word, end: int) -> bool:

@@ -199,6 +199,25 @@ class SemanticFramerNodeTest(unittest.TestCase):
         answers.append(self.events_of(f"answer{number}")[0])
         return answers[-1].is_final and answers[-1].reply.code == "NO_VERB"
 
+    def test_command_from_before_a_stop_is_not_understood_any_more(self):
+        now = rospy.Time.now()
+        self.stops.publish(StopReport(stop_stamp=now))
+        said = []
+        # The report and the parses come on connections of their own.
+        wait_until(lambda: self.is_stopped(said, now))
+        self.assertEqual([], [line for event in self.events_of(said[-1]) for line in event.trace.splitlines()])
+        after = rospy.Time.now()
+        self.say("after the stop", "turn turn VERB VB 0 root", "left left ADV RB 1 advmod", stamp=after)
+        wait_until(lambda: any(message.command.id == "after the stop" for message in self.units))
+
+    def is_stopped(self, said, stamp):
+        """Say a command with this stamp; whether it ends as stopped."""
+        said.append(f"before the stop {len(said)}")
+        self.say(said[-1], "turn turn VERB VB 0 root", "left left ADV RB 1 advmod", stamp=stamp)
+        wait_until(lambda: self.events_of(said[-1]))
+        reply = self.events_of(said[-1])[0].reply
+        return (reply.outcome, reply.code) == (Reply.SUPERSEDED, "STOPPED")
+
     def test_correction_is_marked(self):
         self.say("correction", "not not PART RB 2 advmod", "there there ADV RB 0 root")
         reply = self.ending("correction")

@@ -286,7 +286,7 @@ def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child:
         and child.index > verb.index
         and not has_object
         and verb.lemma.lower() not in _REQUEST_VERBS
-        and any(mark.deprel == "mark" and mark.form.lower() == "to" for mark in tree.children(child.index))
+        and tree.is_infinitive(child.index)
         and bool(vocabulary.verbs_beginning_with(child.lemma.lower()))
         and f"{verb.lemma} to {child.lemma}".lower() not in vocabulary.verbs_beginning_with(verb.lemma.lower())
     )

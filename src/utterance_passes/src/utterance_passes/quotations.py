@@ -184,9 +184,7 @@ class _Quotation:
                 if word.head in heads
                 and word.deprel in ("xcomp", "advcl", "ccomp", "acl")
                 and not self._name_taken_for_a_verb(word)
-                and any(
-                    child.deprel == "mark" and child.form.lower() == "to" for child in self._tree.children(word.index)
-                )
+                and self._tree.is_infinitive(word.index)
             ),
             0,
         )

@@ -80,9 +80,9 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
     """Turn a conjunct with "to" into a purpose clause: "turn left to face the door" says why to turn."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        if word.deprel == "conj" and word.upos == "VERB" and word.head and _is_infinitive(tree, word):
+        if word.deprel == "conj" and word.upos == "VERB" and word.head and tree.is_infinitive(word.index):
             is_joined = any(child.deprel == "cc" for child in tree.children(word.index))
-            if not is_joined and not _is_infinitive(tree, tree.word(word.head)):
+            if not is_joined and not tree.is_infinitive(word.head):
                 edit.relabel(word.index, "advcl")
     return edit.tree()
 
@@ -148,10 +148,6 @@ def with_prepositions_at_names(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
-def _is_infinitive(tree: DependencyTree, word: Word) -> bool:
-    return any(child.deprel == "mark" and child.form.lower() == "to" for child in tree.children(word.index))
-
-
 def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a clause of a predicate behind the question that is to be told: "tell what day *is tomorrow*"."""
     edit = TreeEdit(tree)
@@ -207,9 +203,10 @@ def with_deeds_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> Depen
         lemma = verb.lemma.lower()
         if verb is deed or (vocabulary.speech_of(lemma) is not Speech.TOLD and lemma not in _ASKING):
             continue
-        own = [child for child in tree.children(verb.index) if child.index < deed.index and _is_infinitive(tree, child)]
+        children = tree.children(verb.index)
+        own = [child for child in children if child.index < deed.index and tree.is_infinitive(child.index)]
         is_known = bool(vocabulary.verbs_beginning_with(deed.lemma.lower()))
-        if own and deed.xpos == "VB" and (_is_infinitive(tree, deed) or not is_known):
+        if own and deed.xpos == "VB" and (tree.is_infinitive(deed.index) or not is_known):
             edit.rehang(deed.index, own[-1].index)
     return edit.tree()
 

@@ -93,7 +93,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     ),
     TagPass(
         "verbs_behind_and",
-        'Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun.',
+        'Tag a verb of the lexicon between "and" and "to me" or a pronoun as a verb, not as a noun or an adjective.',
         Example(
             "count|VERB cups|NOUN and|CCONJ report|NOUN to|ADP me|PRON",
             ("4 VERB VB",),

@@ -18,6 +18,8 @@ _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
 _PERSONS = word_class("personal_subjects")
+#: "The man and guide *that* I met" has a relative clause.
+_POINTED_AT = (word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things")) - {"that"}
 _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
 _CHANGED = word_class("changed_states")
@@ -75,14 +77,16 @@ def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocab
 
 
 def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a verb of the lexicon between "and" and "to me" as a verb that the tagger took for a noun: "count all and
-    *report* to me"."""
+    """Tag a verb of the lexicon between "and" and "to me", or "and" and a pronoun, as a verb that the tagger took for a
+    noun or an adjective: "count all and *report* to me", "look whether all are closed and *close* those that are not".
+    """
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "NOUN" and 2 < position < len(forms) - 1 and forms[position - 2].lower() == "and"
+        if tag in ("NOUN", "ADJ") and 2 < position < len(forms) and forms[position - 2].lower() == "and"
         if form.islower() and vocabulary.verbs_beginning_with(form)
-        if forms[position].lower() == "to" and tags[position + 1] == "PRON"
+        if (tag == "NOUN" and forms[position].lower() == "to" and "PRON" in tags[position + 1 : position + 2])
+        or (forms[position].lower() in _POINTED_AT and tags[position] == "PRON")
     )
 
 

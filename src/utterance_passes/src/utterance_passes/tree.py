@@ -105,6 +105,10 @@ class DependencyTree:
     def _subtrees(self) -> Dict[int, FrozenSet[int]]:
         return {}
 
+    def is_infinitive(self, index: int) -> bool:
+        """Whether "to" marks the verb at an index: "tell Bob *to come*"."""
+        return any(child.deprel == "mark" and child.form.lower() == "to" for child in self.children(index))
+
     @cached_property
     def abandoned(self) -> FrozenSet[int]:
         """Positions of corrected words, editing terms and asides."""
