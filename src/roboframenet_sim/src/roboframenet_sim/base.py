@@ -140,8 +140,18 @@ class DifferentialBase:
         if not (math.isfinite(duration_s) and duration_s >= 0.0):
             raise ValueError(f"duration_s must be a finite number and not negative, got {duration_s!r}")
         pieces = max(1, math.ceil(duration_s / self.MAX_STEP_S - 1e-9))
-        for _ in range(pieces):
+        for done in range(1, pieces + 1):
             self._step(duration_s / pieces)
+            if self._stays:
+                # A clock that jumps by an hour must not keep the odometry silent for seconds.
+                self._age_s += duration_s * (pieces - done) / pieces
+                break
+
+    @property
+    def _stays(self) -> bool:
+        """Whether the base stands, and no command moves it."""
+        is_commanded = self._age_s < self.limits.command_timeout_s and self._wanted != STANDING
+        return self.velocity == STANDING and not is_commanded
 
     def _step(self, duration_s: float) -> None:
         limits = self.limits

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from roboframenet_sim import base as base_module
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity, integrate
 
 
@@ -58,6 +59,23 @@ def test_base_that_was_never_commanded_stands():
     base = DifferentialBase(pose=Pose(1.0, 2.0, 3.0))
     base.step(5.0)
     assert base.pose == Pose(1.0, 2.0, 3.0)
+
+
+def test_base_that_stands_is_not_moved_through_an_hour(monkeypatch):
+    # The odometry is silent for as long as a step takes.
+    moved = []
+    monkeypatch.setattr(base_module, "integrate", lambda pose, **way: moved.append(way) or integrate(pose, **way))
+    base = DifferentialBase()
+    drive(base, Velocity(linear_m_per_s=0.4), seconds=0.4)
+    stopped, hour = DifferentialBase(pose=base.pose), DifferentialBase(pose=base.pose)
+    for one, duration_s in ((stopped, 10.0), (hour, 3600.0)):
+        one.command(Velocity(linear_m_per_s=0.4))
+        moved.clear()
+        one.step(duration_s)
+        assert len(moved) < 200
+    assert hour.pose == stopped.pose
+    drive(hour, Velocity(linear_m_per_s=0.4), seconds=0.4)
+    assert hour.velocity.linear_m_per_s == pytest.approx(0.4)
 
 
 @pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
