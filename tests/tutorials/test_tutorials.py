@@ -25,6 +25,8 @@ START_TIMEOUT_S = 300.0
 PATIENT = {
     "/command_server/stop_timeout_s": "30.0",
     "/command_server/stage_timeout_s": "60.0",
+    "/stop_server/confirmation_timeout_s": "10.0",
+    "/command_server/confirmation_timeout_s": "10.0",
     "/semantic_framer/question_timeout_s": "300.0",
     "/frame_registrar/liveness_timeout_s": "10.0",
     "/executor/acceptance_timeout_s": "30.0",
@@ -144,7 +146,8 @@ def run_page(page: Path, text: str, surroundings: Dict[str, str], folder: Path) 
     found = steps(text)
     if reached != "done":
         step = found[int(reached)].block
-        outputs = "\n".join(path.read_text()[-2000:] for path in sorted(blocks.glob("*.out"))[-4:])
+        newest = sorted(blocks.glob("*.out"), key=lambda path: int(path.stem))[-4:]
+        outputs = "\n".join(path.read_text()[-2000:] for path in newest)
         pytest.fail(f"{page}:{step.line} failed:\n{step.text}\n{outputs}\n{errors.decode()[-500:]}")
     for number, step in enumerate(found):
         output = _COLOURS.sub("", (blocks / f"{number}.out").read_text(encoding="utf-8"))
