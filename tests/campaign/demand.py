@@ -41,7 +41,7 @@ class Demand:
         counts: number of trials in the forms short, standard and full
         lane: one of ``LANES``
         is_without_tests: whether it is tried before the lane of the tests begins, because it measures tenths of a
-            second, and tests start browsers and further robots
+            second, or how soon a node starts, and tests start browsers and further robots
     """
 
     name = ""

@@ -92,6 +92,7 @@ class KilledNodes(OnRobot):
 
     name, title = "R2", "kill -9 of each node in each phase"
     counts = (20, 200, 1000)
+    is_without_tests = True
     _PHASES = ("idle", "said", "acting", "preempting", "stopping")
 
     def trial(self, number: int, chance: random.Random) -> Dict[str, Any]:

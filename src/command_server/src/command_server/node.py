@@ -309,6 +309,7 @@ class CommandServerNode:
         self._conclude(ending_of_cancelled(entry.command))
 
     def _hear_stage(self, event: StageEvent) -> None:
+        self._texts.drop(event.command.id)
         entry = self._commands.get(event.command.id)
         is_done = event.is_final and event.reply.outcome == Reply.DONE
         if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):

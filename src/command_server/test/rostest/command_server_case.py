@@ -87,6 +87,15 @@ class CommandServerCase(unittest.TestCase):
         wait_until(lambda: self.replies_to(text), message=f"no reply to {text!r}")
         return self.replies_to(text)[0]
 
+    def times_heard(self, text):
+        return sum(command.text == text for command in list(self.heard))
+
+    def listen_anew(self):
+        """Connect again to what the parser hears."""
+        self.subscribers[0].unregister()
+        self.subscribers[0] = rospy.Subscriber("command_text", Command, self.on_command)
+        wait_until(lambda: self.subscribers[0].get_num_connections() == 1)
+
     def fence(self):
         """Return when everything that was said before has been handled."""
         text = f"fence {time.monotonic()}"

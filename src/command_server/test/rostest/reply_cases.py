@@ -49,6 +49,18 @@ class ReplyCases(CommandServerCase):
             (Reply.FAILED, "STAGE_SILENT", "stanford_parser_ros"), (reply.outcome, reply.code, reply.stage)
         )
 
+    def test_command_of_which_no_stage_has_told_is_sent_to_who_connects_later(self):
+        known = self.run_in_executor("hang in the executor, known")
+        self.say("silent to who listens first")
+        wait_until(lambda: self.times_heard("silent to who listens first") == 1)
+        # As a parser that starts beside a recording does.
+        self.listen_anew()
+        wait_until(lambda: self.times_heard("silent to who listens first") == 2)
+        self.assertEqual(1, self.times_heard(known.text))
+        self.send_event(known, "executor", is_final=True)
+        self.assertEqual("STAGE_SILENT", self.wait_for_reply("silent to who listens first").code)
+        self.assertEqual(1, len(self.replies_to(known.text)))
+
     def test_texts_that_are_no_commands_are_refused(self):
         self.say("   ")
         self.assertEqual("EMPTY_TEXT", self.wait_for_reply("   ").code)

@@ -1,6 +1,6 @@
 """Publishing while a node may be shutting down."""
 
-from typing import Any, Optional
+from typing import Any, List, Optional
 
 import rospy
 
@@ -19,6 +19,40 @@ def publish(publisher: Optional[rospy.Publisher], message: Any) -> None:
     try:
         if publisher is not None:
             publisher.publish(message)
+    except rospy.ROSException:
+        if not is_shutting_down():
+            raise
+
+
+def connections_of(publisher: rospy.Publisher) -> List[Any]:
+    """Return the connections to living subscribers; ``endpoint_id`` of each is the name of its node."""
+    if publisher.impl is None:
+        return []  # the node shuts down
+    # Without this call, rospy notices that a subscriber has died only when it writes to it; what it writes is lost.
+    publisher.impl.check()
+    return list(publisher.impl.connections)
+
+
+def publish_to(publisher: rospy.Publisher, connection: Any, message: Any) -> None:
+    """Publish for one subscriber only; a topic that closes because the node shuts down is not an error.
+
+    Args:
+        publisher: of the topic
+        connection: one of `connections_of` it
+        message: to send
+
+    Raises:
+        ROSException: the topic was closed although the node goes on
+    """
+    topic = publisher.impl
+    if topic is None:
+        return
+    try:
+        topic.acquire()
+        try:
+            topic.publish(message, connection_override=connection)
+        finally:
+            topic.release()
     except rospy.ROSException:
         if not is_shutting_down():
             raise
