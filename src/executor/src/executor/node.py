@@ -7,14 +7,15 @@ import enum
 import queue
 import threading
 import time
-from dataclasses import dataclass
-from typing import Dict, FrozenSet, Optional, Set, Union
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, List, Optional, Set, Tuple, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport, TriedFrame
 from std_msgs.msg import Empty
 
 import smach
+from arbitrator.node_runs import PREEMPTED
 from arbitrator.plan import Do, Plan, walk
 from arbitrator.rest_of_plan import Rest, said
 from arbitrator.ros_messages import plan_from_message, plan_to_message
@@ -54,6 +55,8 @@ from roboframenet_ros.suspension import SuspensionWatch
 _EVENT_PERIOD_S = 0.5
 #: How often it looks, while commands are carried out, whether their commander is there.
 _BUSY_PERIOD_S = 0.1
+# A stop cancels all goals before it reports itself, so a goal may be gone before its reason is known.
+_EXPLANATION_S = 1.0
 _HIDDEN = Introspection(is_enabled=False)
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
@@ -143,10 +146,11 @@ class _Note:
 
 @dataclass(frozen=True)
 class _RunEnded:
-    """The thread of a run has ended."""
+    """The thread of a run has ended; whether a stop may still explain why its goal was cancelled."""
 
     run: CommandRun
     result: RunResult
+    may_be_explained: bool = True
 
 
 @dataclass(frozen=True)
@@ -183,6 +187,8 @@ class ExecutorNode:
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
         self._runs: Dict[str, CommandRun] = {}
+        # Runs whose goal somebody else cancelled, and until when a stop may explain that.
+        self._unexplained: List[Tuple[float, _RunEnded]] = []
         self._next_event_s = 0.0
         self._inbox: queue.SimpleQueue[_Event] = queue.SimpleQueue()
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
@@ -228,6 +234,7 @@ class ExecutorNode:
             except queue.Empty:
                 self._suspension.turn()
                 self._cancel_without_commander()
+                self._pass_on_explained()
                 self._report_progress()
                 continue
             if event is None:
@@ -241,6 +248,7 @@ class ExecutorNode:
                     "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
                 )
             self._cancel_without_commander()
+            self._pass_on_explained()
             self._report_progress()
 
     def _cancel_without_commander(self) -> None:
@@ -267,7 +275,10 @@ class ExecutorNode:
                 rospy.loginfo("cmd=%s %s", order.key.command_id, event.sentence)
                 self._stage.passes_on(order.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
-            self._hear_end(event)
+            if event.may_be_explained and event.result.outcome == PREEMPTED and not self._has_cause(event.run):
+                self._unexplained.append((time.monotonic() + _EXPLANATION_S, event))
+            else:
+                self._hear_end(event)
         elif isinstance(event, _MasterLost):
             for run in self._runs.values():
                 run.end_without_master(at_once=self._settings.on_master_lost is OnMasterLost.STOP)
@@ -300,6 +311,19 @@ class ExecutorNode:
         return next(
             (one.order for one in self._commands.running if self._runs.get(one.order.key.command_id) is run), None
         )
+
+    def _pass_on_explained(self) -> None:
+        """Let the runs end whose preemption has a reason now, or no more time to get one."""
+        waiting, self._unexplained = self._unexplained, []
+        for until_s, ended in waiting:
+            if self._has_cause(ended.run) or time.monotonic() >= until_s:
+                self._inbox.put(replace(ended, may_be_explained=False))
+            else:
+                self._unexplained.append((until_s, ended))
+
+    def _has_cause(self, run: CommandRun) -> bool:
+        order = self._order_of(run)
+        return order is None or self._commands.cause_of(order.key.command_id) is not None
 
     def _hear_end(self, ended: _RunEnded) -> None:
         order = self._order_of(ended.run)
@@ -389,6 +413,7 @@ class ExecutorNode:
         """Cancel everything before the node exits, so that the robot does not go on without it."""
         for order in (*self._commands.waiting, *(one.order for one in self._commands.running)):
             self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        self._pass_on_explained()
         # The end of each run comes through the inbox; its thread has deadlines for everything it waits for.
         end_s = time.monotonic() + self._settings.preempt_timeout_s + 1.0
         for run in list(self._runs.values()):

@@ -19,6 +19,22 @@ class StopCases(ExecutorCase):
         self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Another client cancelled it: one was preempted")
         self.assertNotIn("two begins succeed", self.log)
 
+    def test_stop_whose_cancel_comes_before_its_report_is_the_reason(self):
+        offered = []
+        subscriber = rospy.Subscriber("stopped_plan", StoppedPlan, offered.append)
+        wait_until(lambda: subscriber.get_num_connections() == 1)
+        self.addCleanup(subscriber.unregister)
+        command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
+        self.wait_for_log("one begins run")
+        wait_until(lambda: self.events_of(command, False))
+        stamp = rospy.Time.now()
+        self.server_cancel.publish(GoalID())
+        self.wait_for_log("one preempted run")
+        wait_until(lambda: any("was preempted" in event.sentence for event in self.events_of(command, False)))
+        self.stops.publish(StopReport(stop_stamp=stamp))
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Stopped.")
+        wait_until(lambda: [one for one in offered if one.command.id == command.id])
+
     def test_stop_ends_the_command_and_refuses_what_was_said_before(self):
         before = rospy.Time.now()
         command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
