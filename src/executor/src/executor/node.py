@@ -275,7 +275,7 @@ class ExecutorNode:
                 rospy.loginfo("cmd=%s %s", order.key.command_id, event.sentence)
                 self._stage.passes_on(order.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
-            if event.may_be_explained and event.result.outcome == PREEMPTED and not self._has_cause(event.run):
+            if event.may_be_explained and self._lacks_cause(event):
                 self._unexplained.append((time.monotonic() + _EXPLANATION_S, event))
             else:
                 self._hear_end(event)
@@ -316,14 +316,17 @@ class ExecutorNode:
         """Let the runs end whose preemption has a reason now, or no more time to get one."""
         waiting, self._unexplained = self._unexplained, []
         for until_s, ended in waiting:
-            if self._has_cause(ended.run) or time.monotonic() >= until_s:
-                self._inbox.put(replace(ended, may_be_explained=False))
-            else:
+            if self._lacks_cause(ended) and time.monotonic() < until_s:
                 self._unexplained.append((until_s, ended))
+            else:
+                self._inbox.put(replace(ended, may_be_explained=False))
 
-    def _has_cause(self, run: CommandRun) -> bool:
-        order = self._order_of(run)
-        return order is None or self._commands.cause_of(order.key.command_id) is not None
+    def _lacks_cause(self, ended: _RunEnded) -> bool:
+        """Whether the run was preempted and neither the queue nor the lost master says why."""
+        order, result = self._order_of(ended.run), ended.result
+        if order is None or result.outcome != PREEMPTED or result.is_without_master:
+            return False
+        return self._commands.cause_of(order.key.command_id) is None
 
     def _hear_end(self, ended: _RunEnded) -> None:
         order = self._order_of(ended.run)

@@ -21,7 +21,7 @@ class HandOver(rospy.SubscribeListener):
     rospy drops a message that nobody is connected to receive. This class keeps it and sends it to the first subscriber
     that connects within 5 s. Others may read the topic, too (a recording, the page): a node that was connected before
     and comes back gets what was published meanwhile, even if they heard it. So a stage that was killed and starts
-    again does what was said meanwhile, and does nothing twice.
+    again does what was said meanwhile, and what was sent to it is not sent again.
     """
 
     def __init__(self, topic: str, message_class: Any, *, max_age_s: float = _MAX_AGE_S) -> None:

@@ -1,6 +1,7 @@
 """Publishing while a node may be shutting down."""
 
-from typing import Any, List, Optional
+from contextlib import contextmanager
+from typing import Any, Iterator, List, Optional
 
 import rospy
 
@@ -10,18 +11,25 @@ def is_shutting_down() -> bool:
     return bool(rospy.is_shutdown() or rospy.core.is_shutdown_requested())
 
 
+@contextmanager
+def _may_close_at_shutdown() -> Iterator[None]:
+    """Let a topic close while the node shuts down; otherwise its ROSException goes on."""
+    try:
+        yield
+    except rospy.ROSException:
+        if not is_shutting_down():
+            raise
+
+
 def publish(publisher: Optional[rospy.Publisher], message: Any) -> None:
     """Publish; a topic that closes because the node shuts down is not an error.
 
     Raises:
         ROSException: the topic was closed although the node goes on
     """
-    try:
+    with _may_close_at_shutdown():
         if publisher is not None:
             publisher.publish(message)
-    except rospy.ROSException:
-        if not is_shutting_down():
-            raise
 
 
 def connections_of(publisher: rospy.Publisher) -> List[Any]:
@@ -47,12 +55,9 @@ def publish_to(publisher: rospy.Publisher, connection: Any, message: Any) -> Non
     topic = publisher.impl
     if topic is None:
         return
-    try:
+    with _may_close_at_shutdown():
         topic.acquire()
         try:
             topic.publish(message, connection_override=connection)
         finally:
             topic.release()
-    except rospy.ROSException:
-        if not is_shutting_down():
-            raise
