@@ -19,6 +19,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
     Command,
+    CommandPlan,
     CommandSemanticFrames,
     CommandStatus,
     FilledFrameElement,
@@ -366,6 +367,26 @@ class StopPathTest(unittest.TestCase):
             )
         )
         self.assert_stays()
+
+    def test_12_plan_waits_for_an_executor_that_is_restarted_although_others_listen(self) -> None:
+        observer = rospy.Subscriber("command_plan", CommandPlan, lambda _: None)
+        self.addCleanup(observer.unregister)
+        wait_until(lambda: is_connected("/arbitrator", "command_plan", rospy.get_name()))
+
+        def is_done() -> bool:
+            type(self).is_parser_hung = True
+            text = f"turning angle=10,angle_unit=degrees,direction=left,number={time.monotonic()}"
+            self.say(text)
+            wait_until(lambda: [command for command in self.unparsed if command.text == text])
+            os.kill(process_of("/executor"), signal.SIGKILL)
+            type(self).is_parser_hung = False
+            self.pass_on(self.unparsed[-1])
+            reply = self.reply_to(text)
+            self.wait_for_graph()
+            return reply.outcome == Reply.DONE
+
+        # On a busy machine, the executor may come back too late.
+        wait_until(is_done, 120.0)
 
     def test_99_stops_and_commands_with_a_hung_master(self) -> None:
         self.begin_to_drive()

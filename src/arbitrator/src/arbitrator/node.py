@@ -1,6 +1,5 @@
 """The arbitrator node: candidates in, an ordered plan out."""
 
-import time
 from dataclasses import dataclass
 from typing import List, Optional
 
@@ -15,12 +14,10 @@ from experience.ros_messages import snapshot_from_message
 from experience.snapshot import Snapshot
 from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
-
-# How long a command waits for the next node to start; shorter than the silence that is allowed to it.
-_LISTENER_TIMEOUT_S = 3.0
 
 
 @dataclass(frozen=True)
@@ -51,8 +48,8 @@ class ArbitratorNode:
     def __init__(self, policy: Policy) -> None:
         self._policy = policy
         self._known = Snapshot()
-        self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
-        self._standing_order = rospy.Publisher("command_standing_order", CommandPlan, queue_size=100)
+        self._command_plan = HandOver("command_plan", CommandPlan)
+        self._standing_order = HandOver("command_standing_order", CommandPlan)
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
         self._stage = Stage("arbitrator")
         self._subscribers = [
@@ -90,8 +87,7 @@ class ArbitratorNode:
             return
         sentence = describe(plan)
         topic = self._standing_order if isinstance(plan, STANDING) else self._command_plan
-        is_heard = self._wait_for_listener(topic)
-        if topic is self._standing_order and not is_heard:
+        if topic is self._standing_order and not topic.is_read:
             self._stage.ends(
                 message.command,
                 outcome=Reply.REFUSED,
@@ -108,14 +104,6 @@ class ArbitratorNode:
         procedure = procedure_to_message(plan)
         if procedure is not None:
             self._procedure.publish(procedure)
-
-    @staticmethod
-    def _wait_for_listener(topic: rospy.Publisher) -> bool:
-        """Wait for a subscriber that is starting; returns whether there is one."""
-        end_s = time.monotonic() + _LISTENER_TIMEOUT_S
-        while topic.get_num_connections() == 0 and time.monotonic() < end_s and not rospy.is_shutdown():
-            time.sleep(0.01)
-        return bool(topic.get_num_connections())
 
 
 def start(place: Place) -> ArbitratorNode:

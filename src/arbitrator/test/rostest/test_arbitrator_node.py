@@ -18,7 +18,7 @@ from roboframenet_msgs.msg import (
     StageEvent,
 )
 
-from roboframenet_testing import wait_until
+from roboframenet_testing import comes_true, wait_until
 from roboframenet_testing.ros_connections import is_connected
 
 
@@ -115,6 +115,22 @@ class ArbitratorNodeTest(unittest.TestCase):
         del self.events[:]
         cls._on_event = rospy.Subscriber("stage_events", StageEvent, self.events.append)
         wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final])
+
+    def test_standing_order_that_nobody_keeps_is_refused(self):
+        # Whoever keeps them may start up to 5 s after the node; until then the order waits.
+        def is_refused():
+            self.send_plan(
+                "order",
+                PlanNode(kind=PlanNode.WHENEVER, label="ping whenever it rings", children=[1, 2]),
+                PlanNode(kind=PlanNode.CONDITION, label="it rings", candidates=[candidate("bell")]),
+                PlanNode(kind=PlanNode.DO, label="ping", candidates=[candidate("a")]),
+            )
+            return comes_true(lambda: [event for event in self.events_of(["order"]) if event.is_final], 1.0)
+
+        wait_until(is_refused)
+        (reply,) = [event.reply for event in self.events_of(["order"]) if event.is_final]
+        self.assertEqual((Reply.REFUSED, "NO_SERVER"), (reply.outcome, reply.code))
+        self.assertFalse(self.plans)
 
     def test_what_cannot_be_arbitrated_ends_with_one_final_event(self):
         self.send("none")

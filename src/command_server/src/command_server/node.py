@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Dict, Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import OrderDue, Reply, StageEvent, StoppedPlan, StopReport
+from roboframenet_msgs.msg import CommandPlan, OrderDue, Reply, StageEvent, StoppedPlan, StopReport
 from std_msgs.msg import String
 
 from command_server.follow_ups import FollowUps
@@ -46,6 +46,7 @@ from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -99,8 +100,9 @@ class CommandServerNode:
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
         self._texts = TextsOut()
-        self._orders_due = OrdersDue(self._commands)
-        self._stopped_plans = StoppedPlans(self._commands, on_declined=self._conclude)
+        command_plan = HandOver("command_plan", CommandPlan)
+        self._orders_due = OrdersDue(self._commands, command_plan, on_not_begun=self._conclude)
+        self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
         self._cancels = CancelTopic()
         self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
@@ -193,9 +195,7 @@ class CommandServerNode:
         elif isinstance(event, StopReport):
             self._hear_stop_report(event)
         elif isinstance(event, OrderDue):
-            ending = self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
-            if ending is not None:
-                self._conclude(ending)
+            self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
         elif isinstance(event, Braked):
@@ -280,6 +280,8 @@ class CommandServerNode:
         self._last_stop_ns = report.stop_stamp.to_nsec()
         spared = self._follow_ups.spared_by(report.command.text, self._last_stop_ns)
         for ending in self._commands.finish_stopped(self._last_stop_ns, spared=spared):
+            # An executor that is being restarted hears of the stop only by this.
+            self._cancels.cancel(ending.command)
             self._answer(ending)
         stop = None
         if report.reply.command.id:

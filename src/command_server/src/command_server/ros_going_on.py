@@ -8,21 +8,25 @@ from roboframenet_msgs.msg import CommandPlan, Plan, PlanNode, StoppedPlan
 from command_server.going_on import DECLINED, GoingOn, Stopped
 from command_server.open_commands import EXECUTOR_STAGE, OWN_STAGE, CommandText, Ending, OpenCommands, Outcome
 from command_server.ros_messages import command_to_message
+from roboframenet_ros.ros_hand_over import HandOver
 
 
 class StoppedPlans:
-    """What a person may let go on. Publishes: ``command_plan``."""
+    """What a person may let go on."""
 
-    def __init__(self, commands: OpenCommands, *, on_declined: Callable[[Ending], None]) -> None:
+    def __init__(
+        self, commands: OpenCommands, command_plan: HandOver, *, on_declined: Callable[[Ending], None]
+    ) -> None:
         """
         Args:
             commands: that are open
+            command_plan: the topic of the plans
             on_declined: called with the ending of a no
         """
         self._commands = commands
         self._on_declined = on_declined
         self.going_on: GoingOn[Plan] = GoingOn()
-        self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
+        self._command_plan = command_plan
 
     def hear(self, message: StoppedPlan) -> None:
         """The executor has ended a plan."""

@@ -1,41 +1,44 @@
 """Standing orders that are due: commands that begin at the executor."""
 
-from typing import Optional
+from typing import Callable
 
-import rospy
 from roboframenet_msgs.msg import CommandPlan, OrderDue
 
 from command_server.open_commands import EXECUTOR_STAGE, Ending, OpenCommands, ending_of_cancelled, ending_of_missed
 from command_server.ros_messages import command_to_message, due_from_message
+from roboframenet_ros.ros_hand_over import HandOver
 
 
 class OrdersDue:
-    """Opens the commands of standing orders. Publishes: ``command_plan``."""
+    """Opens the commands of standing orders."""
 
-    def __init__(self, commands: OpenCommands) -> None:
+    def __init__(
+        self, commands: OpenCommands, command_plan: HandOver, *, on_not_begun: Callable[[Ending], None]
+    ) -> None:
         """
         Args:
             commands: that are open
+            command_plan: the topic of the plans
+            on_not_begun: called with the ending of an order that was missed or stopped
         """
         self._commands = commands
-        self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
+        self._command_plan = command_plan
+        self._on_not_begun = on_not_begun
 
-    def begin(self, due: OrderDue, *, stop_stamp_ns: int) -> Optional[Ending]:
+    def begin(self, due: OrderDue, *, stop_stamp_ns: int) -> None:
         """Open the command of a standing order, and send its plan.
 
         Args:
             due: the standing order
             stop_stamp_ns: stamp of the last stop, nanoseconds of ROS time; what was due before it does not begin
-        Returns:
-            how the command ends, if the order was missed or stopped; None otherwise
         """
         command = due_from_message(due)
         if self._commands.get(command.command_id) is not None:
-            return None
+            return
         self._commands.open(command, stage=EXECUTOR_STAGE)
         if command.stamp_ns <= stop_stamp_ns:
-            return ending_of_cancelled(command)
-        if due.not_done:
-            return ending_of_missed(command, due.not_done)
-        self._command_plan.publish(CommandPlan(command=command_to_message(command), plan=due.plan))
-        return None
+            self._on_not_begun(ending_of_cancelled(command))
+        elif due.not_done:
+            self._on_not_begun(ending_of_missed(command, due.not_done))
+        else:
+            self._command_plan.publish(CommandPlan(command=command_to_message(command), plan=due.plan))

@@ -23,6 +23,14 @@ class StopCases(CommandServerCase):
         self.assertFalse(self.replies_to("Halt!"))
         wait_until(lambda: self.statuses[-1].active == [])
 
+    def test_what_the_report_of_a_stop_ends_is_cancelled_by_name(self):
+        self.say("silent until the report")
+        wait_until(lambda: "silent until the report" in self.active_texts())
+        # The command server may hear the stop server before it hears the stop itself.
+        self.report_stop("heard_first", "Halt!")
+        self.assertEqual("STOPPED", self.wait_for_reply("silent until the report").code)
+        wait_until(lambda: "silent until the report" in [command.text for command in self.cancelled])
+
     def test_stopped_plan_goes_on_after_a_question_and_a_yes(self):
         plans = []
         stopped = rospy.Publisher("stopped_plan", StoppedPlan, queue_size=10)
