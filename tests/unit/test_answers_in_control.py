@@ -38,6 +38,27 @@ ANSWERS = {
     ("When it rings, go to the door.", "the bell"): (
         "SEQUENCE(WAIT(condition_of_sound(theme=the bell)), navigating_to_location(goal=the door))"
     ),
+    # What holds in the case that a question asked about.
+    ("Is the door open?", "If so, close it."): (
+        "IF(condition_of_state(theme=the door, state=open), closing(container_portal=the door))"
+    ),
+    ("Is there a mug on the table?", "If not, go to the kitchen."): (
+        "IF(not condition_of_place(theme=a mug, location=the table), navigating_to_location(goal=the kitchen))"
+    ),
+    ("Check whether the door is open.", "In that case, close it."): (
+        "IF(condition_of_state(theme=the door, state=open), closing(container_portal=the door))"
+    ),
+    ("Is the door open?", "If it is, close it."): (
+        "IF(condition_of_state(theme=the door, state=open), closing(container_portal=the door))"
+    ),
+    ("Do you see a mug?", "If you do, bring it to me."): (
+        "IF(condition_of_perceiving(perceiver=you, phenomenon=a mug), bringing(theme=a mug, beneficiary=me))"
+    ),
+    ("Is the door open?", "If it is closed, open it."): (
+        "IF(condition_of_state(theme=the door, state=closed), opening(container_portal=the door))"
+    ),
+    ("Is the door open?", "Turn left.", "If so, close it."): "CONDITION",
+    ("Where is the mug?", "If so, bring it to me."): "CONDITION",
     # A place instead of another one.
     ("Go to the kitchen.", "Not the kitchen, the office."): "navigating_to_location(goal=the office)",
     ("Go to the kitchen.", "Go to the office instead."): "navigating_to_location(goal=the office)",

@@ -20,20 +20,12 @@ from arbitrator.plan import Do, Plan, walk
 from arbitrator.rest_of_plan import Rest, said
 from arbitrator.ros_messages import plan_from_message, plan_to_message
 from arbitrator.state_machine import plan_label
-from executor import command_queue
+from executor import command_queue, replies
 from executor.command_queue import Beginning, Cause, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.commander_watch import CommanderWatch
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
-from executor.replies import (
-    Ending,
-    ReplyOutcome,
-    ending_of_malformed,
-    ending_of_run,
-    ending_of_unstarted,
-    ending_without_master,
-)
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_driver_settings import DriverSettings
@@ -287,7 +279,7 @@ class ExecutorNode:
         try:
             plan = plan_from_message(message.plan)
         except ValueError as error:
-            self._end(message.command, ending_of_malformed(str(error)))
+            self._end(message.command, replies.ending_of_malformed(str(error)))
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
         job = _Job(command=message.command, plan=plan)
@@ -335,7 +327,7 @@ class ExecutorNode:
         command_id = order.key.command_id
         del self._runs[command_id]
         result, cause = ended.result, self._commands.cause_of(command_id)
-        ending = ending_of_run(
+        ending = replies.ending_of_run(
             result.outcome,
             order.job.plan,
             result.records,
@@ -346,7 +338,7 @@ class ExecutorNode:
         if cause is Cause.STOPPED:
             self._offer(order.job.command, result.rest)
         self._end(order.job.command, ending)
-        is_done = ending.outcome is ReplyOutcome.DONE
+        is_done = ending.outcome is replies.ReplyOutcome.DONE
         self._follow(command_queue.finish(self._commands, command_id, is_done=is_done))
 
     def _follow(self, step: Step) -> None:
@@ -354,7 +346,7 @@ class ExecutorNode:
         self._commands, actions = step
         for action in actions:
             if isinstance(action, Start) and self._master.is_lost:
-                self._end(action.order.job.command, ending_without_master())
+                self._end(action.order.job.command, replies.ending_without_master())
                 command_id = action.order.key.command_id
                 self._follow(command_queue.finish(self._commands, command_id, is_done=False))
             elif isinstance(action, Start):
@@ -366,7 +358,7 @@ class ExecutorNode:
                 if action.cause is Cause.STOPPED:
                     self._offer(action.order.job.command, Rest(action.order.job.plan, said(action.order.job.plan)))
                 blocking = "" if action.blocking is None else plan_label(action.blocking.job.plan)
-                self._end(action.order.job.command, ending_of_unstarted(action.cause, blocking=blocking))
+                self._end(action.order.job.command, replies.ending_of_unstarted(action.cause, blocking=blocking))
 
     def _offer(self, command: Command, rest: Optional[Rest]) -> None:
         """Tell what a stop has left undone: a person may say to go on with it."""
@@ -408,7 +400,7 @@ class ExecutorNode:
         for order in self._commands.waiting:
             self._stage.passes_on(order.job.command, "Waiting for the previous command to end.")
 
-    def _end(self, command: Command, ending: Ending) -> None:
+    def _end(self, command: Command, ending: replies.Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
         self._stage.ends(command, outcome=int(ending.outcome), code=ending.code, sentence=ending.sentence)
 

@@ -5,13 +5,13 @@ from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.condition_part import ConditionPart
-from semantic_framer.conditions import read_condition
-from semantic_framer.deed_orders import ItemOrder, deed_behind, end_order, item_order, times_at
+from semantic_framer.conditions import read_asked, read_condition
+from semantic_framer.deed_orders import deed_behind, end_order, item_order, times_at
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import SENTENCE_ENDS, Joint, Joints, with_limits
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
 from spoken_quantities import QuantityError, parse_measure
-from typed_arguments import TimeExpression
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -27,63 +27,6 @@ _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
 _FROM_NOW = ["from", "now"]
-
-
-@dataclass(frozen=True)
-class Joint:
-    """Words that join.
-
-    Attributes:
-        kind: what they mean
-        first: position of the first of them
-        positions: of all of them, the condition included
-        condition: behind a link; None for a time or a joiner
-        seconds: of a delay or a period
-        words: of the link, as it was said
-        limit_s: longest time that was said for it; 0 for none
-        when: a time of the clock
-        verb: of the deed behind "before" or "after", its position; 0 for other words
-        number: a least or a largest number of times
-        order: of two items of a list
-        items: positions of the first item, of the word between, and of the second item, if these words are the list
-        is_of_persons: whether they say what each of many persons does: "everybody *who comes in*"
-    """
-
-    kind: LinkKind
-    first: int
-    positions: FrozenSet[int]
-    condition: Optional[ConditionPart] = None
-    seconds: float = 0.0
-    words: str = ""
-    limit_s: float = 0.0
-    when: Optional[TimeExpression] = None
-    verb: int = 0
-    number: int = 0
-    order: Optional[ItemOrder] = None
-    items: Tuple[int, ...] = ()
-    is_of_persons: bool = False
-
-
-@dataclass(frozen=True)
-class Joints:
-    """What joins the deeds of a sentence.
-
-    Attributes:
-        found: in the order of the sentence
-        question: asks for what is missing behind the last link: "Until when?"; empty if nothing is missing
-        unknown: positions of the words behind the first link whose condition is not understood
-        open_time: the words of a time that the question asks about: "tomorrow"
-    """
-
-    found: Tuple[Joint, ...] = ()
-    question: str = ""
-    unknown: Tuple[int, ...] = ()
-    open_time: Optional[Joint] = None
-
-    @property
-    def positions(self) -> FrozenSet[int]:
-        """Positions of all words that join."""
-        return frozenset().union(*(joint.positions for joint in self.found))
 
 
 def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:
@@ -102,6 +45,20 @@ def condition_places(sentence: Sentence) -> FrozenSet[int]:
         if any(at(forms[place:])[1] for at in (links.link_at, links.deed_link_at))
         or (place and forms[place - 1] in _MANY)
     )
+
+
+def asks_whether(sentence: Sentence) -> bool:
+    """Whether a sentence begins as one that asks for a condition: "*is* it open?", "*check whether* it is open"."""
+    words = _spoken(sentence)
+    return bool(words) and (
+        words[0].upos == "AUX" or bool(shipped_links().check_at([word.form.lower() for word in words]))
+    )
+
+
+def answers_a_question(sentence: Sentence) -> bool:
+    """Whether a sentence begins with the case in which something is to be done: "*if so,* close it"."""
+    kind, _ = shipped_links().answer_at([word.form.lower() for word in _spoken(sentence)])
+    return kind is not None
 
 
 def _spoken(sentence: Sentence) -> List[Word]:
@@ -171,7 +128,7 @@ class _Finder:
                     question = link.question
                 unknown = unknown or tuple(rest)
             place += 1
-        joints = _with_limits(found, limits)
+        joints = with_limits(found, limits)
         for joint in joints:
             if joint.condition is not None and self._is_cut_short(joint, joints):
                 return Joints((), question, unknown or tuple(sorted(joint.positions)))
@@ -223,15 +180,18 @@ class _Finder:
         return None, 0
 
     def _checked(self, place: int) -> Tuple[Optional[Joint], int]:
-        """Return a condition that is checked first: "*check if the door is open, and if so,* close it"."""
+        """Return a condition that is checked first: "*check if the door is open, and if so,* close it", "*is the door
+        open? If so,* close it".
+        """
         length = shipped_links().check_at(self.forms[place:])
-        for behind in range(place + length + 1, len(self.words)) if length else ():
+        is_question = self.words[place].upos == "AUX" and (not place or self.forms[place - 1] in SENTENCE_ENDS)
+        for behind in range(place + length + 1, len(self.words)) if length or is_question else ():
             kind, words_behind = shipped_links().answer_at(self.forms[behind:])
             end = behind + words_behind
             if kind is None or self._is_end(end):
                 continue
             said = [word.index for word in self.words[place + length : behind] if word.upos != "PUNCT"]
-            condition = read_condition(self.sentence, self.known, said)
+            condition = read_asked(self.sentence, self.known, said)
             joint = self._joint(Link(kind.value, kind), place, end, length, condition)
             return (joint, end) if condition is not None else (None, 0)
         return None, 0
@@ -429,22 +389,3 @@ class _Finder:
 
     def _is_end(self, place: int) -> bool:
         return all(word.upos == "PUNCT" for word in self.words[place:])
-
-
-def _with_limits(found: Sequence[Joint], limits: Sequence[Joint]) -> List[Joint]:
-    """Give each longest time to the nearest condition that is waited for; a bound that belongs to none stays alone."""
-    joints = list(found)
-    for bound in limits:
-        near = [
-            place
-            for place, joint in enumerate(joints)
-            if joint.kind in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW) and joint.condition is not None
-        ]
-        if not near:
-            joints.append(bound)
-            continue
-        place = min(near, key=lambda place: abs(joints[place].first - bound.first))
-        joints[place] = replace(
-            joints[place], limit_s=bound.limit_s, positions=joints[place].positions | bound.positions
-        )
-    return sorted(joints, key=lambda joint: joint.first)

@@ -28,6 +28,7 @@ class ConditionPart:
         children: the joined conditions
         is_negated: whether the opposite is meant
         is_anew: whether it must begin to hold: "rings again"
+        words: a question as a statement: "the door is open"; empty for a condition that was said as one
     """
 
     kind: str
@@ -36,6 +37,7 @@ class ConditionPart:
     children: Tuple["ConditionPart", ...] = ()
     is_negated: bool = False
     is_anew: bool = False
+    words: str = ""
 
 
 def happens(part: ConditionPart, tree: DependencyTree, frames: Mapping[str, SemanticFrame]) -> bool:

@@ -93,6 +93,28 @@ def read_condition(
     return None if read is None or (must_last and is_momentary(read, known.frames)) else read
 
 
+def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[ConditionPart]:
+    """Read what is asked for as a condition: "whether *the door is open*", "*is the door open*".
+
+    Args:
+        sentence: the sentence
+        known: lexical units and frames
+        positions: of the words, in order; the auxiliary at the front of a question is read behind the subject
+    Returns:
+        None if one of the words is not understood
+    """
+    if not positions or sentence.word(positions[0]).upos != "AUX":
+        return read_condition(sentence, known, positions)
+    auxiliary, *rest = positions
+    for behind in range(1, len(rest) + 1):
+        subject, predicate = rest[:behind], rest[behind:]
+        condition = read_condition(sentence, known, [*subject, auxiliary, *predicate])
+        if condition is not None:
+            words = [sentence.text(subject), sentence.word(auxiliary).form.lower(), sentence.text(predicate)]
+            return replace(condition, words=" ".join(words).strip())
+    return None
+
+
 def _has_foreign_comma(sentence: Sentence, positions: Sequence[int]) -> bool:
     """Whether a mark among some words does not stand between the items of a list: "when Anna comes, *greet her*"."""
     marks = [index for index in positions if sentence.word(index).upos == "PUNCT"]

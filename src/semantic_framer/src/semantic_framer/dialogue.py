@@ -1,7 +1,7 @@
 """Memory from one utterance to the next: an open question, and the last thing and place mentioned."""
 
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple
+from typing import Optional, Tuple, Union
 
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
@@ -75,6 +75,19 @@ class LastCommand:
 
 
 @dataclass(frozen=True)
+class LastQuestion:
+    """The question that a person asked last; what is said next may hold in one case only: "if so, close it".
+
+    Attributes:
+        tree: of the sentence
+        stamp_s: when it was said, seconds; the stamp of the command
+    """
+
+    tree: DependencyTree
+    stamp_s: float
+
+
+@dataclass(frozen=True)
 class Mention:
     """Something that was spoken of.
 
@@ -113,6 +126,7 @@ class Context:
     Attributes:
         pending: the open question; None if there is none
         last: the last command; None if there is none, or if it may not be repeated
+        question: the question that the person asked right before; None if the last utterance was none
         things: the things mentioned, the last one first; at most ``MOST_THINGS``
         place: the last place mentioned, "the kitchen"; None if there is none
         spoken_of: the things that were mentioned, the last one first
@@ -122,6 +136,7 @@ class Context:
 
     pending: Optional[Pending] = None
     last: Optional[LastCommand] = None
+    question: Optional[LastQuestion] = None
     things: Tuple[Thing, ...] = ()
     place: Optional[Thing] = None
     spoken_of: Tuple[Mention, ...] = ()
@@ -153,20 +168,25 @@ class Context:
         return self
 
     def fresh(self, said_s: float, timeout_s: float) -> "Context":
-        """Return the context for a new utterance: without a last command that was said too long before it.
+        """Return the context for a new utterance: without a last command or question said too long before it.
 
         Args:
             said_s: when the utterance was said, seconds; the stamp of its command
-            timeout_s: how long a command may be repeated
+            timeout_s: how long a command may be repeated, and a question be spoken of
         """
-        is_old = self.last is not None and not 0.0 <= said_s - self.last.stamp_s <= timeout_s
-        return replace(self, last=None if is_old else self.last, are_persons_of_before=True)
+
+        def is_old(one: Union[LastCommand, LastQuestion]) -> bool:
+            return not 0.0 <= said_s - one.stamp_s <= timeout_s
+
+        last = None if self.last is None or is_old(self.last) else self.last
+        question = None if self.question is None or is_old(self.question) else self.question
+        return replace(self, last=last, question=question, are_persons_of_before=True)
 
     def stopped(self) -> "Context":
         """Return the context after a stop: nothing answers a question from before it, and nothing repeats a command
         that it ended.
         """
-        return replace(self, pending=None, last=None)
+        return replace(self, pending=None, last=None, question=None)
 
 
 def is_yes(text: str) -> bool:

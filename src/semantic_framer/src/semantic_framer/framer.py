@@ -6,10 +6,11 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import chosen
-from semantic_framer.clause_links import Joints, find_joints
-from semantic_framer.dialogue import Context, Pending, is_no
+from semantic_framer.clause_links import answers_a_question, asks_whether, find_joints
+from semantic_framer.dialogue import Context, LastQuestion, Pending, is_no
 from semantic_framer.fragment_changes import last_command
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import Joints
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_sentence import (
     doubtful_message,
@@ -51,7 +52,7 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import continued
+from utterance_passes.tree_edits import continued, said_after
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 
 __all__ = [
@@ -128,6 +129,7 @@ def hear(
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
     last = last_command(outcome, heard.context.last, said_s)
+    asked = _last_question(heard, said_s)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
             is_against = outcome.code in (PROHIBITION, CORRECTION)
@@ -137,7 +139,14 @@ def hear(
             trace.add("utterance_kind", after=str(KindVerdict(UtteranceKind.CORRECTION, "against_what_runs")))
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
-    return replace(heard, outcome=outcome, context=replace(heard.context, pending=pending, last=last))
+    return replace(heard, outcome=outcome, context=replace(heard.context, pending=pending, last=last, question=asked))
+
+
+def _last_question(heard: Heard, said_s: float) -> Optional[LastQuestion]:
+    """Return what an utterance asks, if it does nothing else."""
+    if heard.sentence is None or not isinstance(heard.outcome, Understood) or heard.outcome.plan is not None:
+        return None
+    return LastQuestion(heard.sentence.tree, said_s) if asks_whether(heard.sentence) else None
 
 
 def restructured(
@@ -256,6 +265,12 @@ class _Hearing:
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
+        if context.question is not None and answers_a_question(sentence):
+            whole = Sentence(said_after(context.question.tree, sentence.tree), self._now.known.types)
+            heard = self._read_command(whole, context)
+            if not isinstance(heard.outcome, Refusal):
+                self._now.write("answer", sentence.tree.text, "goes on with the question before")
+                return heard
         begun = beginning_of(sentence.tree)
         if begun is not None and any(
             begun.positions & time and not time <= begun.positions for time in sentence.tree.times

@@ -156,10 +156,10 @@ class LinkedClauses:
         trigger = "BEGINS" if is_anew and kind is not LinkKind.WHENEVER else "HOLDS"
         return replace(part, trigger=trigger, is_negated=part.is_negated != is_opposite)
 
-    def _condition_part(self, of: ConditionPart) -> PlanPart:
-        label = self.label(of.positions)
+    def _condition_part(self, of: ConditionPart, words: str = "") -> PlanPart:
+        label = words or of.words or self.label(of.positions)
         if of.reading is None:
-            children = tuple(self._condition_part(child) for child in of.children)
+            children = tuple(self._condition_part(child, of.words) for child in of.children)
             return PlanPart(of.kind, label, children, is_negated=of.is_negated)
         clause = self._add((replace(of.reading, clause_text=label),), of.positions)
         return PlanPart("CONDITION", label, is_negated=of.is_negated, clause=clause)

@@ -7,10 +7,10 @@ deed belongs to that deed alone; where it could belong to the deed before as wel
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
-from semantic_framer.clause_links import Joint
 from semantic_framer.clause_plan import Clauses, PlanPart, part_of
 from semantic_framer.deed_orders import ItemOrder, sorted_by
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import SENTENCE_ENDS, Joint
 from semantic_framer.link_file import LinkKind
 from semantic_framer.linked_clauses import JOINING, LinkedClauses, Node, NoStructure, Open, which_of_it
 from semantic_framer.reading import Reading
@@ -19,7 +19,6 @@ from semantic_framer.standing_plan import NotAlone, with_orders_at_the_root
 from typed_arguments import TimeExpression
 from utterance_passes.clauses import Clause
 
-_SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
 #: Links that decide whether or when something begins. Behind several deeds, it is open to which of them they belong.
 _BEGINNING = (
@@ -68,7 +67,7 @@ class _Unit:
 
     @property
     def begins_sentence(self) -> bool:
-        return bool(self.before & _SENTENCE_ENDS)
+        return bool(self.before & SENTENCE_ENDS)
 
 
 def linked_plan(

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Optional, Sequence, Tuple, Union
 
 from semantic_framer.choices import choices_left_open
-from semantic_framer.clause_links import Joints, condition_places, find_joints
+from semantic_framer.clause_links import condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.clock_times import clock_time_at
 from semantic_framer.deeds import deeds_of
@@ -12,6 +12,7 @@ from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import Joints
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.linked_clauses import NoStructure, Open, ends_what_runs, which_of_it
 from semantic_framer.linked_plan import linked_plan

@@ -4,10 +4,10 @@ from dataclasses import replace
 from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import resolved
-from semantic_framer.clause_links import Joints
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import Joints
 from semantic_framer.linked_clauses import Open, which_of_it
 from semantic_framer.outcome import Question
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS, persons_meant, persons_mentioned, whom_is_meant

@@ -2,13 +2,13 @@
 
 from typing import Sequence
 
-from semantic_framer.clause_links import Joint, Joints
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.condition_part import happens
 from semantic_framer.conditions import read_condition
 from semantic_framer.findings_told import element_told
 from semantic_framer.frame_roles import MESSAGE, TELLING
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.joints import Joint, Joints
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence

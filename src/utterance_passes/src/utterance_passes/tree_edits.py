@@ -229,6 +229,19 @@ def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
     return DependencyTree(text=text, words=tuple(words))
 
 
+def said_after(tree: DependencyTree, answer: DependencyTree) -> DependencyTree:
+    """Return the tree of two utterances, the second of which goes on with the first: "is it open?", "if so, close it".
+
+    Args:
+        tree: of the first
+        answer: of the second
+    """
+    text, first = f"{tree.text} {answer.text}", len(tree.words)
+    moved = at_origins(answer, text, range(len(tree.text) + 1, len(text) + 1))
+    times = (*tree.times, *(frozenset(index + first for index in time) for time in answer.times))
+    return mark_times(joined(text, (tree, moved)), times)
+
+
 def behind_verb(
     tree: DependencyTree,
     verb: Sequence[str],

@@ -11,7 +11,7 @@ from utterance_passes.spelling import as_said
 from utterance_passes.surroundings import surroundings
 from utterance_passes.trace import TraceLine, moved
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import WordAround, joined, with_words_around
+from utterance_passes.tree_edits import WordAround, joined, said_after, with_words_around
 from utterance_passes.vocabulary import Verbs
 
 VERBS = Verbs(frozenset(["turn", "open", "close", "take", "bring", "scrub", "bake", "tie", "switch"]))
@@ -105,6 +105,20 @@ def test_trees_of_parts_are_joined_beside_the_first() -> None:
         (1, "parataxis"),
         (3, "advmod"),
     ]
+
+
+def test_what_goes_on_with_an_utterance_stands_behind_it() -> None:
+    words = tuple(replace(word, start_character=start) for word, start in zip(COMMAND.words, (0, 5)))
+    timed = DependencyTree("turn left", words, times=(frozenset({2}),))
+    tree = said_after(timed, timed)
+    assert tree.text == "turn left turn left"
+    assert [(word.index, word.head, word.start_character) for word in tree.words] == [
+        (1, 0, 0),
+        (2, 1, 5),
+        (3, 1, 10),
+        (4, 3, 15),
+    ]
+    assert tree.times == (frozenset({2}), frozenset({4}))
 
 
 def test_what_was_written_on_a_part_is_about_the_words_of_the_whole() -> None:
