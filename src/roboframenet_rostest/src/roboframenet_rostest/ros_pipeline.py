@@ -91,11 +91,11 @@ def say(text: str, *, timeout_s: float = 60.0, robot: str = "") -> Reply:
     Raises:
         AssertionError: no command server, or no reply, within the time
     """
-    client = actionlib.SimpleActionClient(f"{robot}/command" if robot else "command", ExecuteCommandAction)
-    timeout = rospy.Duration(timeout_s)
-    assert client.wait_for_server(timeout), f"no command server within {timeout_s:g} s"
-    client.send_goal(ExecuteCommandGoal(text=text))
-    if not client.wait_for_result(timeout):
-        client.cancel_goal()
+    # A SimpleActionClient drops a result that arrives before its send_goal() has returned.
+    client = actionlib.ActionClient(f"{robot}/command" if robot else "command", ExecuteCommandAction)
+    assert client.wait_for_server(rospy.Duration(timeout_s)), f"no command server within {timeout_s:g} s"
+    goal = client.send_goal(ExecuteCommandGoal(text=text))
+    if not comes_true(lambda: goal.get_comm_state() == actionlib.CommState.DONE, timeout_s):
+        goal.cancel()
         raise AssertionError(f'no reply to "{text}" within {timeout_s:g} s')
-    return client.get_result().reply
+    return goal.get_result().reply
