@@ -225,9 +225,7 @@ class ExecutorNode:
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S if is_idle else _BUSY_PERIOD_S)
             except queue.Empty:
                 self._suspension.turn()
-                self._cancel_without_commander()
-                self._pass_on_explained()
-                self._report_progress()
+                self._look_around()
                 continue
             if event is None:
                 self._end_all()
@@ -239,9 +237,13 @@ class ExecutorNode:
                 rospy.logerr(
                     "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
                 )
-            self._cancel_without_commander()
-            self._pass_on_explained()
-            self._report_progress()
+            self._look_around()
+
+    def _look_around(self) -> None:
+        """Do what no event tells of."""
+        self._cancel_without_commander()
+        self._pass_on_explained()
+        self._report_progress()
 
     def _cancel_without_commander(self) -> None:
         """Cancel everything when the command server is gone; one that is started again would only do the same."""

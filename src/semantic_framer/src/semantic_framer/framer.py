@@ -236,6 +236,17 @@ class _Hearing:
         self._now.write("answer", said.tree.text, "finishes the sentence before")
         return heard
 
+    def _behind_question(self, said: Sentence, context: Context) -> Optional[Heard]:
+        """Understand what is said for one answer to the question before: "if so, close it"; None for anything else."""
+        if context.question is None or not answers_a_question(said):
+            return None
+        whole = Sentence(said_after(context.question.tree, said.tree), self._now.known.types)
+        heard = self._read_command(whole, context)
+        if isinstance(heard.outcome, Refusal):
+            return None
+        self._now.write("answer", said.tree.text, "goes on with the question before")
+        return heard
+
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
@@ -243,6 +254,9 @@ class _Hearing:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
         if told := remark_readings(sentence, self._now.known, self._trace):
             return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
+        behind_question = self._behind_question(sentence, context)
+        if behind_question is not None:
+            return behind_question
         attached = attached_by_world(sentence, self._now.known, context)
         if attached is None:
             return self._read(sentence, context)
@@ -265,12 +279,6 @@ class _Hearing:
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
-        if context.question is not None and answers_a_question(sentence):
-            whole = Sentence(said_after(context.question.tree, sentence.tree), self._now.known.types)
-            heard = self._read_command(whole, context)
-            if not isinstance(heard.outcome, Refusal):
-                self._now.write("answer", sentence.tree.text, "goes on with the question before")
-                return heard
         begun = beginning_of(sentence.tree)
         if begun is not None and any(
             begun.positions & time and not time <= begun.positions for time in sentence.tree.times
