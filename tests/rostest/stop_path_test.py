@@ -378,7 +378,10 @@ class StopPathTest(unittest.TestCase):
             text = f"turning angle=10,angle_unit=degrees,direction=left,number={time.monotonic()}"
             self.say(text)
             wait_until(lambda: [command for command in self.unparsed if command.text == text])
-            os.kill(process_of("/executor"), signal.SIGKILL)
+            executor = process_of("/executor")
+            os.kill(executor, signal.SIGKILL)
+            # Until it is dead, what is sent to it counts as heard.
+            wait_until(lambda: not os.path.exists(f"/proc/{executor}"), message="the executor does not die")
             type(self).is_parser_hung = False
             self.pass_on(self.unparsed[-1])
             reply = self.reply_to(text)
