@@ -1,6 +1,6 @@
 """Ends a node on Ctrl-C, in a thread of its own."""
 
-import queue
+import os
 import signal
 import threading
 from typing import Any
@@ -17,27 +17,36 @@ class Interrupts:
 
     rospy runs them in the main thread, wherever that is: with a lock in its hand, it waits for itself, or for a thread
     that waits for it, and the node is killed after some time without having ended anything.
+
+    The thread hears of the signal by a pipe, into which the interpreter writes in whichever thread the signal arrives.
+    A handler in Python would run only when the main thread does, and that may be waiting for seconds.
     """
 
     def __init__(self) -> None:
         """Take the signals over; call it in the main thread, after ``rospy.init_node``."""
-        # A signal may come while the main thread puts something there.
-        self._asked: queue.SimpleQueue[int] = queue.SimpleQueue()
+        self._numbers, written = os.pipe()
+        # What is written from a signal handler must not wait.
+        os.set_blocking(written, False)
         self._is_asked = False
         # A daemon: it must not keep a node alive that ends by itself.
         self._thread = threading.Thread(target=self._shut_down, name="shutdown", daemon=True)
         self._thread.start()
+        signal.set_wakeup_fd(written, warn_on_full_buffer=False)
         for number in _SIGNALS:
-            signal.signal(number, self._hear)
+            signal.signal(number, _do_nothing)
 
     def wait_for_hooks(self) -> None:
         """Return when all hooks have run, if the process was interrupted."""
         if self._is_asked:
             self._thread.join(_LONGEST_END_S)
 
-    def _hear(self, number: int, _frame: Any) -> None:
-        self._is_asked = True
-        self._asked.put(number)
-
     def _shut_down(self) -> None:
-        rospy.signal_shutdown(f"signal-{self._asked.get()}")
+        number = 0
+        while number not in _SIGNALS:
+            (number,) = os.read(self._numbers, 1)
+        self._is_asked = True
+        rospy.signal_shutdown(f"signal-{number}")
+
+
+def _do_nothing(_number: int, _frame: Any) -> None:
+    """Take the place of the handler that ends a process; the pipe tells of the signal."""

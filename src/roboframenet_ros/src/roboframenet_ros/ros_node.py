@@ -1,6 +1,7 @@
 """The start of a node: its parameters, its log, its diagnostics, and its end when it cannot start."""
 
 import contextlib
+import gc
 import queue
 import time
 from dataclasses import fields
@@ -13,6 +14,7 @@ from roboframenet_ros.parameters import ParameterError, Parameters, is_parameter
 from roboframenet_ros.ros_diagnostics import Diagnostics
 from roboframenet_ros.ros_interrupts import Interrupts
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_place import Place, ProblemsTopic
 from roboframenet_ros.ros_publishing import is_shutting_down
 
@@ -79,7 +81,7 @@ def run_node(name: str, start: Callable[[], Node], *, work: Optional[Callable[[N
         _wait_for_shutdown()
     else:
         work(node)
-    interrupts.wait_for_hooks()
+    _end(interrupts)
     del node
 
 
@@ -109,7 +111,7 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
         states[rospy.resolve_name(stage.name)[1:]] = _health_of(node)
     Diagnostics(states)
     _wait_for_shutdown()
-    interrupts.wait_for_hooks()
+    _end(interrupts)
     del nodes
 
 
@@ -118,7 +120,15 @@ def _init_node(name: str) -> Interrupts:
     rospy.init_node(name)
     interrupts = Interrupts()
     log_from_threads()
+    connect_missed_publishers()
     return interrupts
+
+
+def _end(interrupts: Interrupts) -> None:
+    """Return when the hooks of the shutdown have run, and let the interpreter end soon."""
+    interrupts.wait_for_hooks()
+    # The interpreter looks for garbage several times while it ends; among the modules of Stanza, for most of a second.
+    gc.freeze()
 
 
 def _wait_for_shutdown() -> None:

@@ -11,6 +11,7 @@ from actionlib_msgs.msg import GoalID, GoalStatus
 
 from roboframenet_ros.orphaned_goals import OrphanWatch
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_publishing import is_shutting_down
 
 #: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
@@ -71,6 +72,7 @@ class QuietActionServer(actionlib.ActionServer):
     def initialize(self) -> None:
         """Set up the topics, without the status timer, and a log that never delays a goal."""
         log_from_threads()
+        connect_missed_publishers()
         super().initialize()
         if self.status_timer is not None:
             self.status_timer.shutdown()

@@ -8,13 +8,14 @@ import sys
 import threading
 import unittest
 from dataclasses import dataclass
-from typing import List, Set, Tuple
+from typing import Any, List, Set, Tuple
 from unittest import mock
 
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
+from rospy.impl import registration
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
@@ -25,6 +26,7 @@ from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
+from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_node import read_parameters
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_service import ServiceError, call_service
@@ -81,6 +83,41 @@ def start():
 run_node("interrupted", start)
 print("ended", flush=True)
 """
+
+
+#: Ctrl-C comes in another thread than the main one, which waits until a hook of the shutdown has run.
+INTERRUPTED_ELSEWHERE = """
+import os, signal, threading
+import rospy
+from roboframenet_ros.ros_node import run_node
+
+closed = threading.Event()
+
+def start():
+    rospy.on_shutdown(closed.set)
+    # The thread that started before takes the signal.
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+
+def work(_node):
+    os.kill(os.getpid(), signal.SIGINT)
+    print("closed" if closed.wait(30.0) else "not closed", flush=True)
+
+run_node("interrupted", start, work=work)
+"""
+
+
+class LateMaster:
+    """The master, which answers a subscription as if nobody published anything yet."""
+
+    def __init__(self, master: Any) -> None:
+        self._master = master
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._master, name)
+
+    def registerSubscriber(self, *arguments: str) -> Tuple[int, str, List[str]]:  # noqa: N802
+        self._master.registerSubscriber(*arguments)
+        return 1, "", []
 
 
 def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
@@ -142,6 +179,25 @@ class NodeTest(unittest.TestCase):
             [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60, check=False
         )
         self.assertEqual((0, ["closed", "ended"]), (ended.returncode, ended.stdout.split()), ended.stderr)
+
+    def test_node_ends_although_its_main_thread_does_not_hear_of_the_interrupt(self) -> None:
+        # It ended up to 5 s late, when the main thread looked by itself.
+        ended = subprocess.run(
+            [sys.executable, "-c", INTERRUPTED_ELSEWHERE], capture_output=True, text=True, timeout=60, check=False
+        )
+        self.assertEqual((0, ["closed"]), (ended.returncode, ended.stdout.split()), ended.stderr)
+
+    def test_subscriber_is_connected_to_a_publisher_of_whom_rospy_has_not_heard(self) -> None:
+        publisher = rospy.Publisher("missed", String, queue_size=1, latch=True)
+        publisher.publish(String("here"))
+        connect_missed_publishers()
+        heard: List[str] = []
+        real = registration.xmlrpcapi
+        with mock.patch.object(registration, "xmlrpcapi", lambda uri: LateMaster(real(uri))):
+            subscriber = rospy.Subscriber("missed", String, lambda message: heard.append(message.data))
+        wait_until(lambda: heard == ["here"])
+        subscriber.unregister()
+        publisher.unregister()
 
     def test_node_says_how_it_is(self) -> None:
         healths = itertools.cycle([Health(values={"verbs": 3}), Health(Level.WARN, "No odometry\nyet."), None])

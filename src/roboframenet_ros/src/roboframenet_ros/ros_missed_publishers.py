@@ -1,0 +1,95 @@
+"""Connects a node to publishers that rospy has missed."""
+
+import threading
+import time
+import xmlrpc.client
+from collections import Counter
+from typing import FrozenSet, Tuple
+
+import rospy
+from rospy.impl.registration import Registration, RegistrationListener, get_registration_listeners
+
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.ros_publishing import is_shutting_down
+from roboframenet_ros.timed_transport import TimedTransport
+
+#: Time between two looks, seconds; who is not heard in both was missed.
+_LOOK_S = 1.0
+_ANSWER_TIMEOUT_S = 1.0
+#: A publisher that was killed stays known to the master: it is tried so often.
+_MOST_TRIES = 3
+_LONGEST_WAIT_S = 60.0
+
+#: A topic, and the XML-RPC address of a node that publishes it.
+Link = Tuple[str, str]
+
+
+def connect_missed_publishers() -> None:
+    """Have a thread look after each new subscription of this node; call it after ``rospy.init_node``, once or more."""
+    listeners = get_registration_listeners()
+    if not any(isinstance(listener, MissedPublishers) for listener in listeners.listeners):
+        listeners.add_listener(MissedPublishers())
+
+
+class MissedPublishers(RegistrationListener):  # type: ignore[misc]
+    """Looks some time after each subscription whether the node hears everybody who publishes its topics.
+
+    The master answers a subscription with those who publish the topic, and tells of everybody who comes later. rospy
+    keeps the list that it read last: where a publisher comes while the answer is on its way, the answer takes the place
+    of what the master told later, and the two are never connected. A stage waits for ever for what another one sends.
+    """
+
+    def __init__(self) -> None:
+        """Begin; the subscriptions that are there count as new."""
+        self._master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
+        own_uri = rospy.get_node_uri()
+        self._node = xmlrpc.client.ServerProxy(own_uri, transport=TimedTransport(_ANSWER_TIMEOUT_S))
+        self._tries: Counter[Link] = Counter()
+        self._is_changed = threading.Event()
+        self._is_changed.set()
+        # A daemon: it holds nothing that must be closed.
+        threading.Thread(target=self._work, name="missed_publishers", daemon=True).start()
+
+    def reg_added(self, resolved_name: str, data_type_or_uri: str, reg_type: str) -> None:
+        """Look at the subscriptions soon; rospy calls it for each new topic and service."""
+        if reg_type == Registration.SUB:
+            self._is_changed.set()
+
+    def _work(self) -> None:
+        unheard: FrozenSet[Link] = frozenset()
+        while not is_shutting_down():
+            if not self._is_changed.wait(_LONGEST_WAIT_S):
+                continue
+            time.sleep(_LOOK_S)
+            self._is_changed.clear()
+            # Who has just begun to publish is not missed yet.
+            before = unheard
+            try:
+                unheard = self._unheard()
+                self._connect(unheard & before)
+            except (*NO_ANSWER, IndexError, TypeError, ValueError) as error:
+                rospy.logdebug("it is not known whom this node does not hear: %s", error)
+            if unheard:
+                self._is_changed.set()
+
+    def _unheard(self) -> FrozenSet[Link]:
+        """Return those whom this node should hear and does not."""
+        name = rospy.get_name()
+        state = self._master.system_state()
+        heard = frozenset((str(link[4]), str(link[1])) for link in self._node.getBusInfo(name)[2] if link[2] == "i")
+        links_of = Counter(topic for topic, _ in heard)
+        return frozenset(
+            (topic, uri)
+            for topic, publishers in state.publishers.items()
+            if name in state.subscribers.get(topic, ()) and links_of[topic] < len(publishers)
+            for uri in map(self._master.uri_of, publishers)
+            if (topic, uri) not in heard and self._tries[topic, uri] < _MOST_TRIES
+        )
+
+    def _connect(self, links: FrozenSet[Link]) -> None:
+        """Tell rospy of publishers as the master does."""
+        self._tries.update(links)
+        for topic in {topic for topic, _ in links}:
+            uris = [uri for of_topic, uri in links if of_topic == topic]
+            rospy.loginfo("ROS has missed that %s is published at %s", topic, ", ".join(uris))
+            self._node.publisherUpdate(rospy.get_name(), topic, uris)
