@@ -151,10 +151,10 @@ def _search_condition(
 
 def _search_members(finder: SequenceFinder, reading: Reading, max_candidates: int) -> Union[Found, Refusal]:
     """Find who watches a condition, each member of a list for itself."""
-    listed = next((argument for argument in reading.arguments if len(argument.members) > 1), None)
+    listed = next((argument for argument in reading.arguments if argument.separate_members), None)
     if listed is not None:
         parts: List[Found] = []
-        for member in listed.members:
+        for member in listed.separate_members:
             part = _search_members(finder, _with(reading, listed, member), max_candidates)
             if isinstance(part, Refusal):
                 return part
@@ -239,24 +239,20 @@ def _loses_words(reading: Reading, likelier: Reading) -> bool:
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, TypedArgument]]]:
     """Expand lists: "or" gives alternative tasks; "and" gives one frame for each member if the frame repeats."""
-    lists = [argument for argument in reading.arguments if len(argument.members) > 1]
+    lists = [argument for argument in reading.arguments if argument.separate_members]
     alternative = next((argument for argument in lists if argument.conjunction == "or"), None)
     if alternative is not None:
-        for member in alternative.members:
+        for member in alternative.separate_members:
             yield from _tasks(frame, _with(reading, alternative, member))
         return
     repeated = next(iter(lists), None) if frame.on_list is ListPolicy.REPEAT else None
     if repeated is None:
         yield [{argument.name: argument for argument in reading.arguments}]
         return
-    parts = [next(_tasks(frame, _with(reading, repeated, member))) for member in repeated.members]
+    parts = [next(_tasks(frame, _with(reading, repeated, member))) for member in repeated.separate_members]
     yield [arguments for part in parts for arguments in part]
 
 
 def _with(reading: Reading, argument: TypedArgument, member: TypedArgument) -> Reading:
-    """Return a reading with one member of a list; it keeps the relation that was said once for all members."""
-    relation = member.relation or argument.relation
-    alone = replace(
-        member, name=argument.name, relation=relation, semantic_type=member.semantic_type or argument.semantic_type
-    )
-    return replace(reading, arguments=tuple(alone if other is argument else other for other in reading.arguments))
+    """Return a reading with one member of a list in its place."""
+    return replace(reading, arguments=tuple(member if other is argument else other for other in reading.arguments))

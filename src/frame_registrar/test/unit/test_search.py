@@ -43,11 +43,11 @@ def reading(frame: str, coverage: float = 1.0, **arguments: str) -> Reading:
     return Reading(frame, tuple(TypedArgument(name, text) for name, text in arguments.items()), coverage)
 
 
-def listed(conjunction: str) -> TypedArgument:
-    """A list of two things, put under something."""
+def listed(conjunction: str, relation: str = "under") -> TypedArgument:
+    """A list of two things."""
     members = (TypedArgument(text="the mug"), TypedArgument(text="the plate", relation="behind"))
     text = f"the mug {conjunction} the plate"
-    return TypedArgument("theme", text, relation="under", members=members, conjunction=conjunction)
+    return TypedArgument("theme", text, relation=relation, members=members, conjunction=conjunction)
 
 
 def moving_graph() -> FrameGraph:
@@ -288,6 +288,15 @@ def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None
     said = listed(conjunction)
     found = search(graph, [[Reading("taking", (said,))]], max_candidates=9)
     assert [[frame.text("theme") for frame in candidate.frames] for candidate in only(found)] == expected
+
+
+@pytest.mark.parametrize("relation", ["between", "among"])
+def test_what_lies_between_several_things_lies_in_one_place(relation: str) -> None:
+    graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
+    found = search(graph, [[Reading("taking", (listed("and", relation),))]], max_candidates=9)
+    assert [[frame.text("theme") for frame in candidate.frames] for candidate in only(found)] == [
+        ["the mug and the plate"]
+    ]
 
 
 def brute_force(

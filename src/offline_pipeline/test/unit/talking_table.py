@@ -1,5 +1,6 @@
 """Tables of utterances as people make them, and the judge of what came out."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Iterable, Tuple
@@ -9,6 +10,8 @@ from semantic_framer.dialogue import Context
 from typed_arguments import Source, TypedArgument
 
 TABLES = Path(__file__).resolve().parent / "talking"
+# A value may hold commas.
+_NEXT_ELEMENT = re.compile(r", (?=\w+=)")
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,7 @@ def _elements(arguments: Iterable[TypedArgument]) -> str:
 
 def _sorted(frame: str) -> str:
     name, _, elements = frame.partition("(")
-    return f"{name}({', '.join(sorted(elements.rstrip(')').split(', ')))})" if elements else frame
+    return f"{name}({', '.join(sorted(_NEXT_ELEMENT.split(elements.rstrip(')'))))})" if elements else frame
 
 
 def is_right(understanding: Understanding, expected: Tuple[str, ...]) -> bool:

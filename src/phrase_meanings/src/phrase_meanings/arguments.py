@@ -15,8 +15,6 @@ from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
 _MORE = word_class("more_words")
-#: Heads that stand for a kind of thing that was said before: "the red one".
-ONES = frozenset(["one", "ones"])
 
 
 def amount_argument(tree: DependencyTree, name: str, amount: Amount, *, is_whole: bool) -> TypedArgument:

@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import dataclass
-from typing import FrozenSet, Iterable, Optional, Tuple
+from typing import FrozenSet, Iterable, List, Optional, Tuple
 
 from phrase_meanings.meaning_file import shipped_meanings
 from spoken_quantities import find_whole_number
@@ -11,6 +11,8 @@ from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from word_classes import word_class, word_list
 
+#: Heads that stand for a kind of thing that was said before: "the red one".
+ONES = word_class("noun_standins")
 _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
 #: Nouns that stand for a number: "a couple of beers".
 _COUPLES = frozenset(["couple"])
@@ -135,11 +137,15 @@ def shares_noun(tree: DependencyTree, member: int, head: int) -> bool:
 
 def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: FrozenSet[int]) -> Tuple[Modifier, ...]:
     """Return the properties that words of the phrase give to its head."""
-    found = []
+    found: List[Modifier] = []
     for child in children:
         form = child.form.lower()
         base = child.deprel.split(":")[0]
         kind, number = "", 0
+        if base == "appos" and form in ONES:
+            # "The mug, the small one" is a small mug.
+            found += modifiers(tree, child.index, tree.children(child.index), own)
+            continue
         if base in ("amod", "nummod") and _ordinal(form):
             kind, number = "ordinal", _ordinal(form)
         elif base == "amod" and form not in shipped_meanings().quantifiers:

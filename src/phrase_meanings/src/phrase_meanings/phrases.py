@@ -3,8 +3,9 @@
 from dataclasses import replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
 
-from phrase_meanings.arguments import ONES, of_same_kind
+from phrase_meanings.arguments import of_same_kind
 from phrase_meanings.head_words import (
+    ONES,
     chosen_from,
     first_preposition,
     is_plural,

@@ -10,7 +10,8 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, resolved, unit_argument
+from phrase_meanings.arguments import amount_argument, of_same_kind, on_other_side, resolved, unit_argument
+from phrase_meanings.head_words import ONES
 from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment

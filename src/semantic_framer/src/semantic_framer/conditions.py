@@ -172,7 +172,7 @@ def _read_one(
 def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> Optional[ConditionPart]:
     """Return a condition, or one for each item of a list: "if you see Anna or Bob"."""
     one = ConditionPart("CONDITION", positions, reading, is_negated=said.is_negated, is_anew=said.is_anew)
-    lists = [argument for argument in reading.arguments if argument.members]
+    lists = [argument for argument in reading.arguments if argument.separate_members]
     if not lists:
         return one
     kind = _CONJUNCTIONS.get(lists[0].conjunction)
@@ -183,13 +183,10 @@ def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> O
             one,
             reading=replace(
                 reading,
-                arguments=tuple(
-                    replace(item, name=lists[0].name) if argument is lists[0] else argument
-                    for argument in reading.arguments
-                ),
+                arguments=tuple(item if argument is lists[0] else argument for argument in reading.arguments),
             ),
         )
-        for item in lists[0].members
+        for item in lists[0].separate_members
     )
     return ConditionPart(kind, positions, children=items)
 

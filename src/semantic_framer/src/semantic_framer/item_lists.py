@@ -11,7 +11,7 @@ _AND = ("and", "")
 
 
 def _list_of(reading: Reading) -> Optional[TypedArgument]:
-    lists = [argument for argument in reading.arguments if len(argument.members) > 1 and argument.conjunction in _AND]
+    lists = [one for one in reading.arguments if one.separate_members and one.conjunction in _AND]
     return lists[0] if len(lists) == 1 else None
 
 
@@ -53,9 +53,9 @@ def items_apart(
 
 def _flat(listed: TypedArgument) -> Tuple[TypedArgument, ...]:
     """Return the items of a list, those of a list inside it too: the parser may take "B and C" for one item."""
-    if len(listed.members) < 2 or listed.conjunction not in _AND:
+    if listed.conjunction not in _AND or not listed.separate_members:
         return (listed,)
-    return tuple(item for member in listed.members for item in _flat(member))
+    return tuple(item for member in listed.separate_members for item in _flat(member))
 
 
 def _same_list(one: Optional[TypedArgument], other: TypedArgument) -> bool:
@@ -63,11 +63,5 @@ def _same_list(one: Optional[TypedArgument], other: TypedArgument) -> bool:
 
 
 def _with(reading: Reading, listed: TypedArgument, member: TypedArgument) -> Tuple[TypedArgument, ...]:
-    """Return the arguments with one item in the place of its list; it keeps the relation that was said once."""
-    alone = replace(
-        member,
-        name=listed.name,
-        relation=member.relation or listed.relation,
-        semantic_type=member.semantic_type or listed.semantic_type,
-    )
-    return tuple(alone if argument.name == listed.name else argument for argument in reading.arguments)
+    """Return the arguments with one item in the place of its list."""
+    return tuple(member if argument.name == listed.name else argument for argument in reading.arguments)

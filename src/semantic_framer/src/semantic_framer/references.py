@@ -4,7 +4,8 @@ from dataclasses import replace
 from itertools import takewhile
 from typing import Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
-from phrase_meanings.arguments import ONES, of_same_kind, resolved
+from phrase_meanings.arguments import of_same_kind, resolved
+from phrase_meanings.head_words import ONES
 from referring_expressions.describing import plural_of
 from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing

@@ -8,8 +8,10 @@ here, and parts are values instead of positions. Times and durations are in seco
 import enum
 import math
 import re
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Dict, Iterable, Optional, Tuple, Type, Union
+
+from typed_arguments.attribute_names import RELATIONS_TO_ALL
 
 #: Number of phrases of an argument: the argument and its parts.
 MOST_PHRASES = 64
@@ -211,6 +213,23 @@ class TypedArgument:
     def si(self) -> Optional[float]:
         """The measure in SI units; None when there is none."""
         return self.measure.si if self.measure else None
+
+    @property
+    def separate_members(self) -> Tuple["TypedArgument", ...]:
+        """The members of a list, each as an argument that fills the element by itself, with the relation that was said
+        once for all of them. "Between the lamp and the vase" is one place, and has none.
+        """
+        if self.relation in RELATIONS_TO_ALL:
+            return ()
+        return tuple(
+            replace(
+                member,
+                name=self.name,
+                relation=member.relation or self.relation,
+                semantic_type=member.semantic_type or self.semantic_type,
+            )
+            for member in self.members
+        )
 
     @property
     def parts(self) -> Tuple["TypedArgument", ...]:

@@ -9,6 +9,8 @@ RELATIONS: FrozenSet[str] = frozenset(
     "opposite left_of right_of between among around through across along past against up down with without for about "
     "of by as until per".split()
 )
+#: Those of them that a place has to all things of a list together: "between the lamp and the vase".
+RELATIONS_TO_ALL: FrozenSet[str] = frozenset("between among".split())
 #: Values of :attr:`typed_arguments.TypedArgument.quantifier`.
 QUANTIFIERS: FrozenSet[str] = frozenset(
     "the a this that these those all every each both some any no another other several many few most enough either "

@@ -8,6 +8,7 @@ from generated_arguments import Maker
 
 from typed_arguments import EmbeddedFrame, Measure, Modifier, TimeExpression, TypedArgument
 from typed_arguments.argument import MOST_LEVELS, MOST_PHRASES
+from typed_arguments.attribute_names import RELATIONS_TO_ALL
 from typed_arguments.positions import with_moved_positions, without_any_position
 
 
@@ -90,3 +91,20 @@ def test_positions_move_with_all_parts(seed: int) -> None:
     bare = without_any_position(argument)
     assert bare == without_any_position(there)
     assert "positions=()" in repr(bare) and not re.search(r"position(s=\([^)]|=[1-9])", repr(bare))
+
+
+def test_members_that_are_meant_one_by_one_keep_what_was_said_once() -> None:
+    members = (TypedArgument(text="the table"), TypedArgument(text="the bed", relation="beside"))
+    listed = TypedArgument("place", "the table or beside the bed", relation="under", members=members, conjunction="or")
+    assert [(one.name, one.text, one.relation) for one in listed.separate_members] == [
+        ("place", "the table", "under"),
+        ("place", "the bed", "beside"),
+    ]
+
+
+@pytest.mark.parametrize("relation", sorted(RELATIONS_TO_ALL))
+def test_what_lies_between_things_has_no_separate_members(relation: str) -> None:
+    members = (TypedArgument(text="the lamp"), TypedArgument(text="the vase"))
+    listed = TypedArgument("goal", "the lamp and the vase", relation=relation, members=members, conjunction="and")
+    assert not listed.separate_members
+    assert not TypedArgument("goal", "the lamp", relation="on").separate_members

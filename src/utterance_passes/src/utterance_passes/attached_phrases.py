@@ -1,6 +1,6 @@
 """Attaches phrases that the parser takes for another part of a command: "with your left hand", "from the left"."""
 
-from typing import FrozenSet
+from typing import FrozenSet, Optional
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import has_case
@@ -17,7 +17,7 @@ _HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
-_ONES = frozenset(["one", "ones"])
+_ONES = word_class("noun_standins")
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _ORDINALS = word_class("ordinals")
 _OF_WAYS = frozenset(["down", "up"])
@@ -183,15 +183,38 @@ def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) ->
 
 
 def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make one thing of a thing and the words that tell it apart: "that mug, *the small one*" is no list."""
+    """Make one thing of a thing and the words that tell it apart or describe it: "that mug, *the small one*" and "a
+    mug, *but a clean one*" are no lists.
+    """
     edit = TreeEdit(tree)
     for one in tree.words:
-        children = [child for child in tree.children(one.index) if child.index < one.index]
-        forms = [child.form.lower() for child in children]
-        is_told_apart = one.form.lower() in _ONES and "the" in forms and "," in forms
-        if one.deprel == "conj" and is_told_apart and not any(child.deprel == "cc" for child in children):
-            edit.relabel(one.index, "appos")
+        thing = _named_before(tree, one) if one.form.lower() in _ONES and one.deprel == "conj" else None
+        if thing is None:
+            continue
+        edit.rehang(one.index, thing.index, "appos")
+        for child in tree.children(one.index):
+            if child.deprel.split(":")[0] in ("nmod", "acl"):
+                edit.rehang(child.index, thing.index)
     return edit.tree()
+
+
+def _named_before(tree: DependencyTree, one: Word) -> Optional[Word]:
+    """Return the thing before "one" that it is; None if it is another thing, or one of a list."""
+    children = tree.children(one.index)
+    forms = [child.form.lower() for child in children if child.index < one.index]
+    joining = [child.form.lower() for child in children if child.deprel == "cc"]
+    is_described = "the" in forms or any(child.deprel == "amod" for child in children)
+    if not is_described or joining not in ([], ["but"]) or not (joining or "," in forms):
+        return None
+    head = tree.word(one.head)
+    objects = [child for child in tree.children(head.index) if child.deprel == "obj" and child.index < one.index]
+    thing = objects[-1] if head.upos == "VERB" and objects else head
+    alike = (other for other in tree.words[one.index :] if other.form.lower() in _ONES and other.deprel == "conj")
+    if thing.upos != "NOUN" or any(other.head in (head.index, one.index) for other in alike):
+        return None
+    # "A red mug, a blue one" are two.
+    is_another = not joining and "the" not in forms and any(c.deprel == "amod" for c in tree.children(thing.index))
+    return None if is_another else thing
 
 
 def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -98,16 +98,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_purposes_of_things,
     ),
     TreePass(
-        "things_named_again",
-        'Make one thing of a thing and the words that tell it apart: "that mug, the small one".',
-        Example(
-            "take|VERB|0|root mugs|NOUN|1|obj ,|PUNCT|6|punct the|DET|6|det small|ADJ|6|amod one|NOUN|2|conj",
-            ("one: conj(mugs) -> appos(mugs)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_things_named_again,
-    ),
-    TreePass(
         "exceptions",
         'Take what stands behind "but" out of all things: "anything but beer".',
         Example(
@@ -131,6 +121,16 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         contrasts.with_what_is_meant,
+    ),
+    TreePass(
+        "things_named_again",
+        'Make one thing of a thing and the words that describe it: "that mug, the small one".',
+        Example(
+            "take|VERB|0|root mugs|NOUN|1|obj ,|PUNCT|6|punct the|DET|6|det small|ADJ|6|amod one|NOUN|2|conj",
+            ("one: conj(mugs) -> appos(mugs)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_things_named_again,
     ),
     TreePass(
         "ways_behind_particles",

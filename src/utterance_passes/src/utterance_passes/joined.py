@@ -3,7 +3,7 @@
 from typing import Optional
 
 from utterance_passes.clauses import has_case
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
@@ -11,8 +11,9 @@ from word_classes import word_class
 _BACK = word_class("way_adverbs")
 _CONDITIONS = word_class("conditions")
 _HERE = word_class("here_and_there")
+_MANNERS = word_class("manner_adverbs")
 _NOT = word_class("not")
-_ONES = frozenset(["one", "ones"])
+_ONES = word_class("noun_standins")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _SIDES = word_class("opposite_sides")
 _SPEAKERS = word_class("speaker_subjects")
@@ -34,6 +35,35 @@ def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTre
 def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
     marks = [child for child in tree.children(clause.index) if child.deprel in ("mark", "advmod")]
     return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
+
+
+def with_manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a manner that is joined like a deed: "follow me, *but slowly*", "go to the door and *slowly* open it"."""
+    edit = TreeEdit(tree)
+    for manner in tree.words:
+        verb = tree.word(manner.head) if manner.head else manner
+        if manner.deprel != "conj" or manner.upos != "ADV" or verb.upos != "VERB" or not _is_manner(manner):
+            continue
+        children = tree.children(manner.index)
+        joining = [child for child in children if child.deprel == "cc"]
+        if not joining or any(child.deprel not in ("cc", "punct") for child in children):
+            continue
+        behind = tree.word(manner.index + 1) if manner.index < len(tree.words) else manner
+        if behind.upos == "VERB" and behind.head == verb.index and behind.deprel in ("parataxis", "conj"):
+            edit.relabel(behind.index, "conj")
+            edit.rehang(manner.index, behind.index, "advmod")
+            for child in children:
+                edit.rehang(child.index, behind.index)
+        else:
+            edit.relabel(manner.index, "advmod")
+            for child in joining:
+                edit.rehang(child.index, verb.index, ASIDE)
+    return edit.tree()
+
+
+def _is_manner(word: Word) -> bool:
+    form = word.form.lower()
+    return form in _MANNERS or form.endswith("ly")
 
 
 def with_particles_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -31,6 +31,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_particles_at_verbs,
     ),
     TreePass(
+        "manners_joined",
+        "Attach a manner to its verb that is joined like a deed.",
+        Example(
+            "follow|VERB|0|root me|PRON|1|obj ,|PUNCT|5|punct but|CCONJ|5|cc slowly|ADV|1|conj",
+            ("but: cc(slowly) -> discourse:aside(follow)", "slowly: conj(follow) -> advmod(follow)"),
+        ),
+        Stage.FRAMER,
+        joined.with_manners_joined,
+    ),
+    TreePass(
         "conditions_joined",
         "Make a condition of a clause that is joined to the command.",
         Example(
