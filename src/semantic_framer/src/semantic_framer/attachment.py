@@ -10,7 +10,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside
-from utterance_passes.clauses import prepositions_of
+from utterance_passes.clauses import prepositions_of, shared_object
 from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -212,8 +212,8 @@ def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]
 
 def objects_elsewhere(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
     """Return nouns that the parser takes for something else than the object of a verb: for a place behind a particle of
-    the verb ("plug in *the charger*"), or for somebody who is spoken to ("spot *Ali*, ...") though no pause is before
-    the name.
+    the verb ("plug in *the charger*"), for somebody who is spoken to ("spot *Ali*, ...") though no pause is before the
+    name, or for the object of the next verb alone ("open and close *the door*").
 
     Args:
         tree: the sentence
@@ -231,6 +231,7 @@ def objects_elsewhere(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
     children = tree.children(verb[0])
     if not any(child.deprel in ("obj", "iobj") for child in children):
         found += [one.index for one in children if one.deprel == "vocative" and min(tree.subtree(one.index)) == behind]
+        found += [index for index in [shared_object(tree, verb[0])] if index]
     return found
 
 

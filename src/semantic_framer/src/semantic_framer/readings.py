@@ -28,7 +28,7 @@ from semantic_framer.verdicts import (
 )
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import TypedArgument
-from utterance_passes.clauses import Clause
+from utterance_passes.clauses import Clause, shared_object
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.typos import as_written
@@ -92,13 +92,32 @@ def with_extra(read: ClauseReadings, extra: TypedArgument) -> ClauseReadings:
 
 
 def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) -> ClauseReadings:
-    """Read one clause.
+    """Read one clause; one that is not whole may have the object of the next: "open and close *the door*".
 
     Args:
         of: the sentence with the clause
         clause: the clause
         trace: receives a line for each unit, verdict and rank; None for no trace
     """
+    read = _readings_of(of, clause, trace)
+    shared = shared_object(of.sentence.tree, clause.verb)
+    if not shared or any(not reading.missing for reading in read.kept):
+        return read
+    lines = Trace() if trace is not None else None
+    wider = replace(clause, positions=clause.positions | of.sentence.subtree(shared))
+    clauses = tuple(wider if one == clause else one for one in of.clauses)
+    sharing = _readings_of(replace(of, clauses=clauses), wider, lines)
+    whole = tuple(reading for reading in sharing.kept if not reading.missing)
+    if not whole:
+        return read
+    if trace is not None and lines is not None:
+        words = sorted(of.sentence.subtree(shared))
+        trace.add("shared_object", clause.lemma, "", f"{of.sentence.text(words)}: of this clause too", words)
+        trace.extend(lines.lines)
+    return replace(sharing, clause=clause, kept=whole)
+
+
+def _readings_of(of: Case, clause: Clause, trace: Optional[Trace]) -> ClauseReadings:
     case = ClauseCase(of, clause, match_verbs(of.sentence.tree, clause, of.known))
     if trace is not None:
         trace.add("clause", clause.lemma, after=case.said, positions=clause.positions)
