@@ -10,8 +10,9 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside
-from utterance_passes.clauses import prepositions_of, shared_object
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.persons import is_person
+from utterance_passes.shared_objects import shared_object
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 

@@ -28,7 +28,8 @@ from semantic_framer.verdicts import (
 )
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import TypedArgument
-from utterance_passes.clauses import Clause, shared_object
+from utterance_passes.clauses import Clause
+from utterance_passes.shared_objects import shared_object
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.typos import as_written

@@ -96,7 +96,7 @@ def _expand_clusters(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]
         for heads in groups
         for head in heads
         for child in tree.children(head)
-        if child.index < head and (child.deprel in ("cc", "punct") or _is_then(child))
+        if child.index < head and (child.deprel in ("cc", "punct") or is_then(child))
     }
     return tuple(
         replace(clause, positions=clause.positions - frozenset().union(*below).difference(own) - joining)
@@ -106,19 +106,34 @@ def _expand_clusters(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]
 
 def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:
     """Return a clause, and one for each phrase that shares its verb: "go to the office and then to the kitchen"."""
-    sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb]
+    # A phrase of a group is in a clause of its own already: "turn left 90 degrees, then *right* 45 degrees".
+    grouped = frozenset().union(*(heads for verb, heads in tree.clusters if verb == clause.verb))
+    sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb - grouped]
     if not sharing:
         return (clause,)
-    left_out = frozenset().union(*(tree.subtree(word.index) for word in sharing))
+    own = {word.index: tree.subtree(word.index) | _amount_behind(tree, clause, word) for word in sharing}
+    left_out = frozenset().union(*own.values())
     shared = frozenset([clause.verb]).union(
         *(tree.subtree(word.index) for word in tree.children(clause.verb) if word.deprel == "obj")
     )
     found = [replace(clause, positions=clause.positions - left_out)]
     for word in sharing:
-        joining = {child.index for child in tree.children(word.index) if child.deprel == "cc" or _is_then(child)}
-        positions = (tree.subtree(word.index) - joining | shared) & clause.positions
+        joining = {child.index for child in tree.children(word.index) if child.deprel == "cc" or is_then(child)}
+        positions = (own[word.index] - joining | shared) & clause.positions
         found.append(replace(clause, positions=positions))
     return tuple(found)
+
+
+def _amount_behind(tree: DependencyTree, clause: Clause, word: Word) -> FrozenSet[int]:
+    """Return the amount right behind a phrase that shares a verb: in "turn right, then left *45 degrees*", it is that
+    of the second turn."""
+    behind = max(tree.subtree(word.index)) + 1
+    amounts = [
+        tree.subtree(child.index)
+        for child in tree.children(clause.verb)
+        if child.upos == "NUM" or any(inner.deprel == "nummod" for inner in tree.children(child.index))
+    ]
+    return next((amount for amount in amounts if min(amount) == behind), frozenset())
 
 
 def may_share_a_verb(tree: DependencyTree) -> bool:
@@ -132,11 +147,11 @@ def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
     is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
     if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
         return False
-    is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
+    is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(is_then(child) for child in children))
     is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
         child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
     )
-    is_next = word.deprel == "obl" and (any(_is_then(child) for child in children) or _is_listed(tree, word))
+    is_next = word.deprel == "obl" and (any(is_then(child) for child in children) or _is_listed(tree, word))
     is_phrase = (word.deprel == "conj" or is_next) and word.upos not in ("VERB", "AUX") and has_case(tree, word)
     return is_phrase or (is_joined and is_direction)
 
@@ -160,7 +175,8 @@ def _is_shared(tree: DependencyTree, word: Word) -> bool:
     return word.index in tree.sharing_a_verb or shares_a_verb(tree, word)
 
 
-def _is_then(word: Word) -> bool:
+def is_then(word: Word) -> bool:
+    """Whether a word puts what follows behind what came before."""
     return word.deprel == "advmod" and word.form.lower() in _ORDER
 
 
@@ -395,31 +411,6 @@ def shared_subject(tree: DependencyTree, verb: int) -> int:
             if child.deprel.startswith("nsubj"):
                 return child.index
     return 0
-
-
-def shared_object(tree: DependencyTree, verb: int) -> int:
-    """Return the object behind the verb that is joined right behind this one, which has nothing behind it itself: "open
-    and close *the door*"; 0 if none.
-
-    Behind such an object, "twice" or "slowly" would be said of both deeds.
-    """
-    end = max([verb, *(child.index for child in tree.children(verb) if child.deprel == "compound:prt")])
-    behind = [word for word in tree.words[end:] if word.deprel not in ("cc", "punct") and not _is_then(word)]
-    following = next(iter(behind), None)
-    if following is None or (following.deprel, following.upos) != ("conj", "VERB"):
-        return 0
-    if following.head not in (verb, tree.word(verb).head):
-        return 0
-    children = [child for child in tree.children(following.index) if child.index > following.index]
-    shared = next((child.index for child in children if child.deprel == "obj"), 0)
-    if any(child.index > shared and _is_of_all_deeds(tree, child) for child in children):
-        return 0
-    return shared or shared_object(tree, following.index)
-
-
-def _is_of_all_deeds(tree: DependencyTree, word: Word) -> bool:
-    is_amount = word.deprel == "obl" and any(child.deprel == "nummod" for child in tree.children(word.index))
-    return is_amount or word.deprel in ("advmod", "obl:unmarked", "obl:tmod", "nmod:unmarked")
 
 
 def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:

@@ -103,14 +103,15 @@ def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Re
 
 def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a side at the front, or behind "then", as an adverb that the tagger took for a verb: "*left*, not right" has
-    nobody who left, nor has "turn right, then *left*"."""
-    return tuple(
-        Retag(position, "ADV", "RB")
-        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "VERB" and form.lower() in _SIDES
-        if position == 1 or forms[position - 2].lower() in _THEN
-        if position == len(forms) or tags[position] == "PUNCT"
-    )
+    nobody who left, nor has "turn right, then *left* 45 degrees"."""
+    found = []
+    for position, (form, tag) in enumerate(zip(forms, tags), start=1):
+        is_next = position > 1 and forms[position - 2].lower() in _THEN
+        behind = tags[position] if position < len(forms) else "PUNCT"
+        if tag == "VERB" and form.lower() in _SIDES and (is_next or position == 1):
+            if behind == "PUNCT" or (is_next and behind == "NUM"):
+                found.append(Retag(position, "ADV", "RB"))
+    return tuple(found)
 
 
 def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
