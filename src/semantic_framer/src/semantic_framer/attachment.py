@@ -11,7 +11,7 @@ from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside
 from utterance_passes.clauses import prepositions_of
-from utterance_passes.persons import is_person
+from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.shared_objects import shared_object
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -56,11 +56,16 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
 
-def is_place_in_a_row(tree: DependencyTree, index: int) -> bool:
-    """Whether a phrase says from which side a thing is counted: "the second bottle *from the left*"."""
+def tells_which(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase of a noun says from which side a thing is counted, or what a person wears: "the second bottle
+    *from the left*", "the man *in the red shirt*". No verb takes it."""
     word = tree.word(index)
     prepositions = prepositions_of(tree, index)
-    return word.form.lower() in _LEFT_AND_RIGHT and word.deprel == "nmod" and prepositions == ["from"]
+    if word.deprel != "nmod":
+        return False
+    if prepositions == ["from"]:
+        return word.form.lower() in _LEFT_AND_RIGHT
+    return prepositions == ["in"] and is_person_or_name(tree.word(word.head)) and is_likely(word, ["Clothing"])
 
 
 def is_right_behind(tree: DependencyTree, phrase: FrozenSet[int], noun: FrozenSet[int]) -> bool:

@@ -20,6 +20,7 @@ LONGEST_WAIT_S = 86_400.0
 _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
+_BEFORE_MESSAGES = word_class("whether_words") | frozenset(["that"])
 _LIMITS = word_class("limits_before_times")
 _TIMES = word_class("iteration_adverbs")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
@@ -289,6 +290,8 @@ class _Finder:
             return True
         if form == "to" and [after.xpos for after in self.words[end + 1 : end + 2]] == ["VB"]:
             return True  # "Remind me at six *to call Bob*".
+        if word.deprel == "mark" and form in _BEFORE_MESSAGES:
+            return True  # "Tell Bob at six *that dinner is ready*".
         links = shipped_links()
         if any(at(self.forms[end:])[1] for at in (links.link_at, links.joiner_at, links.deed_link_at, links.order_at)):
             return True

@@ -366,8 +366,8 @@ def _argument(
     types = element.semantic_types if element is not None else ()
     if types and not is_renamed and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
         return None
-    if kind == "place" and _is_duration(argument.text):
-        return None  # "If I am not back *in ten minutes*" says when.
+    if kind == "place" and (_is_duration(argument.text) or _is_time(sentence, argument)):
+        return None  # "If I am not back *in ten minutes*", "if you see Anna *at six*": they say when.
     new = renamed.get(argument.head_position)
     return replace(argument, text=new, words=new, head=new, lemma=new) if new else argument
 
@@ -379,9 +379,13 @@ def _is_state(word: Word) -> bool:
 
 def _is_destination(sentence: Sentence, argument: TypedArgument) -> bool:
     """Whether somebody can come to a thing or a place: "the wall", but not "lunch"."""
-    is_time = any(time & frozenset(argument.positions) for time in sentence.tree.times)
     is_named = bool(argument.quantifier or argument.possessor or argument.count)
-    return is_named and not is_time and sentence.types.fit(argument.head_position, _DESTINATIONS) is Fit.LIKELY
+    is_place = sentence.types.fit(argument.head_position, _DESTINATIONS) is Fit.LIKELY
+    return is_named and is_place and not _is_time(sentence, argument)
+
+
+def _is_time(sentence: Sentence, argument: TypedArgument) -> bool:
+    return any(time & frozenset(argument.positions) for time in sentence.tree.times)
 
 
 def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> bool:

@@ -14,7 +14,6 @@ from semantic_framer.attachment import (
     is_of_one_direction,
     is_of_something,
     is_part_of_used_name,
-    is_place_in_a_row,
     is_postmodifier_of,
     is_right_behind,
     listed_particle,
@@ -23,6 +22,7 @@ from semantic_framer.attachment import (
     persons_behind,
     places_before,
     places_said,
+    tells_which,
     words_before,
     words_before_amount,
 )
@@ -315,7 +315,7 @@ class _Filling:
             for head in found
             if head not in particle
             and head not in self._sentence.described
-            and not is_place_in_a_row(self._sentence.tree, head)
+            and not tells_which(self._sentence.tree, head)
             and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
         ]
         self._moved.update(heads)

@@ -3,6 +3,7 @@
 from typing import FrozenSet, Optional
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from spoken_quantities import find_unit
 from utterance_passes.clauses import has_case
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
@@ -11,6 +12,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ASKING = word_class("words_that_ask_which")
+_FOR = frozenset(["for"])
 _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
 _HERE_AND_THERE = word_class("here_and_there")
@@ -234,4 +236,20 @@ def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> Dependenc
         if goals and particle.index + 1 == min(tree.subtree(ways[0].index)):
             edit.make_preposition(particle.index, ways[0].index)
             edit.relabel(ways[0].index, "obl")
+    return edit.tree()
+
+
+def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach how long to the verb, not to a place: "go to the hall and then to the office *for five minutes*"."""
+    edit = TreeEdit(tree)
+    for time in tree.words:
+        place = tree.word(time.head) if time.head else time
+        unit = find_unit(time.form)
+        is_how_long = unit is not None and unit.quantity == "duration" and _has_case(tree, time, _FOR)
+        if not is_how_long or time.deprel != "nmod" or place.deprel not in ("obl", "conj"):
+            continue
+        verb = place
+        while verb.upos != "VERB" and verb.head:
+            verb = tree.word(verb.head)
+        edit.rehang(time.index, verb.index, "obl")
     return edit.tree()

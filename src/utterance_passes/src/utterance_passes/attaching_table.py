@@ -436,4 +436,14 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_told,
     ),
+    TreePass(
+        "durations_at_verbs",
+        "Attach how long to the verb, not to a place.",
+        Example(
+            "go|VERB|0|root to|ADP|3|case halls|NOUN|1|obl for|ADP|6|case five|NUM|6|nummod minutes|NOUN|3|nmod",
+            ("minutes: nmod(halls) -> obl(go)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_durations_at_verbs,
+    ),
 )

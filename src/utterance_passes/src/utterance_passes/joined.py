@@ -2,7 +2,8 @@
 
 from typing import Optional
 
-from utterance_passes.clauses import has_case
+from utterance_passes.clauses import has_case, prepositions_of
+from utterance_passes.persons import is_likely, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary
@@ -236,3 +237,16 @@ def with_shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 def _is_described(tree: DependencyTree, noun: Word) -> bool:
     relations = {child.deprel for child in tree.children(noun.index) if child.index < noun.index}
     return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.form.lower() not in _ONES
+
+
+def with_clothes_at_persons(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach what a person wears to the person: "find the man *in the red shirt*" does not look into a shirt."""
+    edit = TreeEdit(tree)
+    for clothes in tree.words:
+        first = min(tree.subtree(clothes.index))
+        person = tree.word(first - 1) if first > 1 else clothes
+        if clothes.deprel != "obl" or clothes.head != person.head or not is_person_or_name(person):
+            continue
+        if prepositions_of(tree, clothes.index) == ["in"] and is_likely(clothes, ["Clothing"]):
+            edit.rehang(clothes.index, person.index, "nmod")
+    return edit.tree()

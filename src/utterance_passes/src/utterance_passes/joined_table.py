@@ -144,4 +144,14 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_shared_nouns,
     ),
+    TreePass(
+        "clothes_at_persons",
+        "Attach what a person wears to the person.",
+        Example(
+            "find|VERB|0|root men|NOUN|1|obj|man in|ADP|4|case shirts|NOUN|1|obl|shirt",
+            ("shirts: obl(find) -> nmod(men)",),
+        ),
+        Stage.FRAMER,
+        joined.with_clothes_at_persons,
+    ),
 )

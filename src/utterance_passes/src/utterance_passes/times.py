@@ -74,9 +74,7 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     is_last = is_time or is_number or word in _OCCASIONS
     if not is_last or _continues(tree, end, is_number=is_number):
         return 0
-    first = end
-    while first > 1 and (forms[first - 2] in _BEFORE_TIMES or _is_number(forms[first - 2])):
-        first -= 1
+    first = _first(forms, end)
     preposition = forms[first - 2] if first > 1 else ""
     # "Turn to 3 o'clock" says where to; "ten to 3 o'clock" is a time.
     if word in _CLOCK and preposition == "to" and not (first > 2 and _is_of_a_time(forms[first - 3])):
@@ -96,6 +94,21 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     if is_number and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
         return end - 1
     return 0
+
+
+def _first(forms: List[str], end: int) -> int:
+    """Return the first word of the phrase of time that ends at a word, without its preposition: "the last two days".
+
+    A number before a word that chooses is a time of its own: "at *six* that dinner is ready".
+    """
+    first = end
+    while first > 1 and forms[first - 2] in _BEFORE_TIMES:
+        first -= 1
+    if first > 1 and forms[first - 1] not in _CHOOSING and _is_number(forms[first - 2]):
+        first -= 1
+        while first > 1 and (forms[first - 2] in _BEFORE_TIMES or _is_number(forms[first - 2])):
+            first -= 1
+    return first
 
 
 def _is_asked_about(before: List[str]) -> bool:
