@@ -13,6 +13,7 @@ _DAY_S = 86_400.0
 _TODAY_S = 1.0
 _LONGEST = 9
 _AT = "at"
+_ABOUT = word_class("hedges_of_times")
 _BEFORE_NOON = word_class("before_noon")
 _AFTER_NOON = word_class("after_noon")
 _O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
@@ -71,6 +72,15 @@ def clock_time_at(forms: Sequence[str]) -> Optional[ClockTime]:
     Args:
         forms: words in lower case, without marks
     """
+    # "Around noon", "at about six": noon and six are as good as any time near them.
+    about = 1 if forms[:1] and forms[0] == _AT else 0
+    if len(forms) > about + 1 and forms[about] in _ABOUT and forms[about + 1] != _AT:
+        found = _clock_time_at((*forms[:about], *forms[about + 1 :]))
+        return replace(found, length=found.length + 1) if found is not None and found.when is not None else None
+    return _clock_time_at(forms)
+
+
+def _clock_time_at(forms: Sequence[str]) -> Optional[ClockTime]:
     clock, place = _Clock(), 0
     has_day = False
     while place < min(len(forms), _LONGEST):

@@ -114,3 +114,18 @@ def test_time_ends_where_other_words_begin():
     found = clock_time_at("at eight go to the kitchen".split())
     assert found is not None
     assert found.length == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "length"),
+    [
+        ("around noon", 2),
+        ("at about six", 3),
+        ("about half past six and go", 4),
+        ("around at noon", 0),
+        ("about six", 0),
+    ],
+)
+def test_time_that_is_not_meant_exactly(words: str, length: int) -> None:
+    found = clock_time_at(words.split())
+    assert (found.length if found is not None else 0) == length

@@ -19,6 +19,7 @@ _BEFORE_NOW = word_class("before_now")
 _CHOOSING = word_class("time_determiners")
 _CLOCK = word_class("clock_words")
 _CLOCK_PREPOSITIONS = word_class("clock_prepositions")
+_HEDGES = word_class("hedges_of_times")
 _MEALS = word_class("meals")
 _MODIFIERS = word_class("time_modifiers")
 _MONTHS = word_class("months")
@@ -75,6 +76,8 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     if not is_last or _continues(tree, end, is_number=is_number):
         return 0
     first = _first(forms, end)
+    if first > 2 and forms[first - 2] in _HEDGES and forms[first - 3] in _PREPOSITIONS:
+        first -= 1  # "At *about* six".
     preposition = forms[first - 2] if first > 1 else ""
     # "Turn to 3 o'clock" says where to; "ten to 3 o'clock" is a time.
     if word in _CLOCK and preposition == "to" and not (first > 2 and _is_of_a_time(forms[first - 3])):
@@ -91,8 +94,9 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
         return first
     if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
         return first
-    if is_number and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
-        return end - 1
+    is_single = is_number and (first == end or forms[end - 2] in _HEDGES)
+    if is_single and preposition in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
+        return first - 1
     return 0
 
 
