@@ -7,6 +7,7 @@ from typing import Dict, List, Optional
 from home_servers.body import CannotDo
 from home_servers.checking import bring_all_about
 from home_servers.memory import Known
+from home_servers.places import RELATIONS
 from home_servers.skills import HERE, Skill, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import word_class
@@ -49,9 +50,21 @@ def goal_of(skills: Skills, goal: TypedArgument) -> Known:
     return skills.find(goal)
 
 
+def _goal_to_put_at(frame: FilledFrame) -> TypedArgument:
+    """Return the goal of a frame.
+
+    Raises:
+        CannotDo: nothing can be put there so; nothing is taken before that is known
+    """
+    goal = argument(frame, "goal")
+    if goal.relation not in RELATIONS:
+        raise CannotDo(f"I cannot put anything {goal.relation.replace('_', ' ')} {goal.text}.")
+    return goal
+
+
 def put(skills: Skills, frame: FilledFrame) -> None:
     """Put things somewhere."""
-    goal = argument(frame, "goal")
+    goal = _goal_to_put_at(frame)
     for thing in things(skills, frame):
         skills.take(thing)
         skills.put(thing.id, goal_of(skills, goal), goal.relation)
@@ -59,7 +72,7 @@ def put(skills: Skills, frame: FilledFrame) -> None:
 
 def bring(skills: Skills, frame: FilledFrame) -> None:
     """Bring things to a place or a person; to whoever speaks when nobody else is named."""
-    goal, whom = argument(frame, "goal"), argument(frame, "beneficiary")
+    goal, whom = _goal_to_put_at(frame), argument(frame, "beneficiary")
     for thing in things(skills, frame):
         skills.take(thing)
         if goal.text:

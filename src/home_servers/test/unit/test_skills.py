@@ -7,6 +7,7 @@ from direct_body import DirectBody
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.going import follow
+from home_servers.handling import put
 from home_servers.memory import Known, Memory
 from home_servers.skills import Skills
 from roboframenet_sim.home_engine import Home
@@ -159,3 +160,13 @@ def test_a_person_is_whoever_is_here():
     assert skills.find(a_person, "person").id == "bob"
     assert skills.find(phrase("someone", referents=("alice",))).id == "bob"
     assert skills.find(phrase("Alice", referents=("alice",)), "person").id == "alice"
+
+
+def test_what_cannot_be_put_so_is_not_even_taken():
+    _, body, skills = make()
+    members = (phrase("the sofa"), phrase("the table"))
+    goal = phrase("the sofa and the table", name="goal", relation="between", members=members, conjunction="and")
+    frame = FilledFrame("placing", (phrase("the mug", name="theme"), goal))
+    with pytest.raises(CannotDo, match="I cannot put anything between the sofa and the table."):
+        put(skills, frame)
+    assert not body.held()
