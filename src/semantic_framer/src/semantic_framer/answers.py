@@ -5,6 +5,7 @@ from itertools import takewhile
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
+from semantic_framer.attachment import words_before_amount
 from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.clock_times import clock_time_at
@@ -16,8 +17,10 @@ from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.utterance_kind import kinds_of_clauses
-from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_framer.word_patterns import argument_of
+from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from typed_arguments import TypedArgument
+from utterance_passes.amounts import Amount
 from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.verb_matching import match_verbs
@@ -163,16 +166,12 @@ def _is_choice(value: TypedArgument, choice: str) -> bool:
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[TypedArgument]:
     # "Hello" may be the message.
-    left_out = ("PUNCT",) if element.framenet == MESSAGE else ("PUNCT", "INTJ")
-    positions = [word.index for word in sentence.tree.words if word.upos not in left_out]
+    left_out_tags = ("PUNCT",) if element.framenet == MESSAGE else ("PUNCT", "INTJ")
+    positions = [word.index for word in sentence.tree.words if word.upos not in left_out_tags]
     amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
+    sound = amounts if not any(amount.is_doubtful for amount in amounts) else ()
     if element.quantity is not None:
-        for amount in amounts if not any(amount.is_doubtful for amount in amounts) else ():
-            values = [amount_argument(sentence.tree, element.name, amount, is_whole=not element.unit_element)]
-            if element.unit_element and amount.unit:
-                values.append(unit_argument(sentence.tree, element.unit_element, amount))
-            return values
-        return []
+        return _amount_values(sentence, element, sound[0]) if sound else []
     # "Three feet" is neither a place nor a thing.
     is_measure = any(amount.unit and set(positions) <= set(amount.positions) for amount in amounts)
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
@@ -184,4 +183,25 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
         return []
     # "Now the book", "and the book"
     before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
-    return [sentence.phrases.argument(element.name, head, left_out=frozenset(before))]
+    left_out = frozenset(before) | frozenset(
+        word.index for word in sentence.tree.words if word.deprel.startswith("discourse") and word.upos in left_out_tags
+    )
+    if sentence.word(head).form.lower() not in [value.lower() for value in element.values]:
+        return [sentence.phrases.argument(element.name, head, left_out=left_out)]
+    # "Left, 90 degrees" says more than was asked.
+    said = [argument_of(sentence, element.name, [head])]
+    measured = [(other, other.quantity.value) for other in frame.frame_elements if other.quantity is not None]
+    for other, quantity in measured:
+        meant = (quantity, Quantity.NUMBER.value) if len(measured) == 1 else (quantity,)
+        said += [value for one in sound[:1] if one.quantity in meant for value in _amount_values(sentence, other, one)]
+    return said
+
+
+def _amount_values(sentence: Sentence, element: FrameElement, amount: Amount) -> List[TypedArgument]:
+    """Return the values of an amount, with the words before it: "about two metres"."""
+    value = amount_argument(sentence.tree, element.name, amount, is_whole=not element.unit_element)
+    hedges = words_before_amount(sentence.tree, min(amount.positions))
+    values = [replace(value, positions=tuple(sorted({*hedges, *value.positions})))]
+    if element.unit_element and amount.unit:
+        values.append(unit_argument(sentence.tree, element.unit_element, amount))
+    return values
