@@ -32,6 +32,7 @@ _LEAD_IN = word_class("lead_in")
 _BEFORE_MESSAGES = frozenset(["to", "that"])
 #: An utterance with one of these words is more than an answer.
 _NO_ANSWER = word_class("negations") | word_class("conditions")
+_HEARER, _SPEAKER = word_class("words_of_the_hearer"), word_class("words_of_the_speaker")
 
 
 def question_for(element: FrameElement) -> str:
@@ -153,7 +154,8 @@ def _is_all_said(sentence: Sentence, values: List[TypedArgument], is_strict: boo
     for word in sentence.tree.words:
         if word.form.lower() in _NO_ANSWER:
             return False
-        if word.index not in used and is_strict and sentence.is_content(word.index):
+        is_said = word.index in used or word.form.lower() in _HEARER  # "To your right" is to the right.
+        if is_strict and not is_said and sentence.is_content(word.index):
             return False
     return True
 
@@ -186,15 +188,23 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     left_out = frozenset(before) | frozenset(
         word.index for word in sentence.tree.words if word.deprel.startswith("discourse") and word.upos in left_out_tags
     )
-    if sentence.word(head).form.lower() not in [value.lower() for value in element.values]:
+    named = _named_values(sentence, element)
+    if len(named) != 1:
         return [sentence.phrases.argument(element.name, head, left_out=left_out)]
-    # "Left, 90 degrees" says more than was asked.
-    said = [argument_of(sentence, element.name, [head])]
+    # "Left, 90 degrees" and "ninety degrees to the left" say more than was asked.
+    said = [argument_of(sentence, element.name, named)]
     measured = [(other, other.quantity.value) for other in frame.frame_elements if other.quantity is not None]
     for other, quantity in measured:
         meant = (quantity, Quantity.NUMBER.value) if len(measured) == 1 else (quantity,)
         said += [value for one in sound[:1] if one.quantity in meant for value in _amount_values(sentence, other, one)]
     return said
+
+
+def _named_values(sentence: Sentence, element: FrameElement) -> List[int]:
+    """Return the words of an utterance that are values of an element; "to my right" is not the robot's right."""
+    words = {word.index: word.form.lower() for word in sentence.tree.words}
+    allowed = {value.lower() for value in element.values}
+    return [index for index, form in words.items() if form in allowed] if _SPEAKER.isdisjoint(words.values()) else []
 
 
 def _amount_values(sentence: Sentence, element: FrameElement, amount: Amount) -> List[TypedArgument]:
