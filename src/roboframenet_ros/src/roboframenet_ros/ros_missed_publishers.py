@@ -9,7 +9,7 @@ from typing import FrozenSet, Tuple
 import rospy
 from rospy.impl.registration import Registration, RegistrationListener, get_registration_listeners
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, publishers_heard_by
 from roboframenet_ros.ros_publishing import is_shutting_down
 from roboframenet_ros.timed_transport import TimedTransport
 
@@ -42,8 +42,6 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
     def __init__(self) -> None:
         """Begin; the subscriptions that are there count as new."""
         self._master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
-        own_uri = rospy.get_node_uri()
-        self._node = xmlrpc.client.ServerProxy(own_uri, transport=TimedTransport(_ANSWER_TIMEOUT_S))
         self._tries: Counter[Link] = Counter()
         self._is_changed = threading.Event()
         self._is_changed.set()
@@ -76,7 +74,7 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
         """Return those whom this node should hear and does not."""
         name = rospy.get_name()
         state = self._master.system_state()
-        heard = frozenset((str(link[4]), str(link[1])) for link in self._node.getBusInfo(name)[2] if link[2] == "i")
+        heard = publishers_heard_by(rospy.get_node_uri(), timeout_s=_ANSWER_TIMEOUT_S)
         links_of = Counter(topic for topic, _ in heard)
         return frozenset(
             (topic, uri)
@@ -89,7 +87,8 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
     def _connect(self, links: FrozenSet[Link]) -> None:
         """Tell rospy of publishers as the master does."""
         self._tries.update(links)
+        node = xmlrpc.client.ServerProxy(rospy.get_node_uri(), transport=TimedTransport(_ANSWER_TIMEOUT_S))
         for topic in {topic for topic, _ in links}:
             uris = [uri for of_topic, uri in links if of_topic == topic]
             rospy.loginfo("ROS has missed that %s is published at %s", topic, ", ".join(uris))
-            self._node.publisherUpdate(rospy.get_name(), topic, uris)
+            node.publisherUpdate(rospy.get_name(), topic, uris)

@@ -4,7 +4,7 @@ from typing import FrozenSet, Optional
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from spoken_quantities import find_unit
-from utterance_passes.clauses import has_case
+from utterance_passes.clauses import has_case, verb_above
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -248,8 +248,5 @@ def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         is_how_long = unit is not None and unit.quantity == "duration" and _has_case(tree, time, _FOR)
         if not is_how_long or time.deprel != "nmod" or place.deprel not in ("obl", "conj"):
             continue
-        verb = place
-        while verb.upos != "VERB" and verb.head:
-            verb = tree.word(verb.head)
-        edit.rehang(time.index, verb.index, "obl")
+        edit.rehang(time.index, verb_above(tree, place).index, "obl")
     return edit.tree()

@@ -180,6 +180,13 @@ def is_then(word: Word) -> bool:
     return word.deprel == "advmod" and word.form.lower() in _ORDER
 
 
+def verb_above(tree: DependencyTree, word: Word) -> Word:
+    """Return the nearest verb above a word, or the word itself if it is one; the top word if there is none."""
+    while word.upos != "VERB" and word.head:
+        word = tree.word(word.head)
+    return word
+
+
 def has_case(tree: DependencyTree, word: Word) -> bool:
     """Whether a word has a preposition before it."""
     return any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))

@@ -2,7 +2,7 @@
 
 from typing import FrozenSet, Optional
 
-from utterance_passes.clauses import has_case, prepositions_of
+from utterance_passes.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -83,9 +83,7 @@ def _is_joined_alike(tree: DependencyTree, phrase: Word, meant: Word) -> bool:
 def _denying(tree: DependencyTree, phrase: Word) -> FrozenSet[int]:
     """Return the words that deny a phrase: "not" right before it, or "do not" at its verb; none if nothing does."""
     first = min(tree.subtree(phrase.index))
-    verb = tree.word(phrase.head) if phrase.head else phrase
-    while verb.upos != "VERB" and verb.head:
-        verb = tree.word(verb.head)
+    verb = verb_above(tree, tree.word(phrase.head) if phrase.head else phrase)
     nots = [
         word
         for word in tree.words[: phrase.index]

@@ -5,7 +5,7 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 
 from typing import FrozenSet, Optional
 
-from utterance_passes.clauses import prepositions_of
+from utterance_passes.clauses import prepositions_of, verb_above
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -123,9 +123,7 @@ def with_remarks_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         first = min(tree.subtree(predicate.index))
         if predicate.deprel != "acl:relcl" or not is_whole or tree.word(first).form.lower() not in _OF_REMARKS:
             continue
-        verb = tree.word(predicate.head)
-        while verb.upos != "VERB" and verb.head:
-            verb = tree.word(verb.head)
+        verb = verb_above(tree, tree.word(predicate.head))
         if verb.upos == "VERB":
             edit.rehang(predicate.index, verb.index, "parataxis")
     return edit.tree()

@@ -11,8 +11,8 @@ def shared_object(tree: DependencyTree, verb: int) -> int:
     Behind such an object, "twice" or "slowly" would be said of both deeds.
     """
     end = max([verb, *(child.index for child in tree.children(verb) if child.deprel == "compound:prt")])
-    behind = [word for word in tree.words[end:] if word.deprel not in ("cc", "punct") and not is_then(word)]
-    following = next(iter(behind), None)
+    behind = (word for word in tree.words[end:] if word.deprel not in ("cc", "punct") and not is_then(word))
+    following = next(behind, None)
     if following is None or (following.deprel, following.upos) != ("conj", "VERB"):
         return 0
     if following.head not in (verb, tree.word(verb).head):

@@ -106,12 +106,11 @@ def _first(forms: List[str], end: int) -> int:
     A number before a word that chooses is a time of its own: "at *six* that dinner is ready".
     """
     first = end
-    while first > 1 and forms[first - 2] in _BEFORE_TIMES:
+    while first > 1:
+        is_number = forms[first - 1] not in _CHOOSING and _is_number(forms[first - 2])
+        if not is_number and forms[first - 2] not in _BEFORE_TIMES:
+            break
         first -= 1
-    if first > 1 and forms[first - 1] not in _CHOOSING and _is_number(forms[first - 2]):
-        first -= 1
-        while first > 1 and (forms[first - 2] in _BEFORE_TIMES or _is_number(forms[first - 2])):
-            first -= 1
     return first
 
 
