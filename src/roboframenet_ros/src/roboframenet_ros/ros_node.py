@@ -16,6 +16,7 @@ from roboframenet_ros.ros_interrupts import Interrupts
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_place import Place, ProblemsTopic
+from roboframenet_ros.ros_prompt_connection import publish_promptly
 from roboframenet_ros.ros_publishing import is_shutting_down
 
 #: ROS may have shut down before anybody could be told; it is asked again after this time, seconds.
@@ -117,6 +118,7 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
 
 def _init_node(name: str) -> Interrupts:
     """Connect to ROS; return what ends the node on Ctrl-C."""
+    publish_promptly()
     rospy.init_node(name)
     interrupts = Interrupts()
     log_from_threads()
