@@ -218,7 +218,7 @@ class CommandServerNode:
         command = CommandText(
             command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]
         )
-        rospy.loginfo("cmd=%s heard %r", command_id, command.text)
+        self._replies.note_heard(command)
         cry = find_cry(said.text)
         if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
             self._commands.open(command)

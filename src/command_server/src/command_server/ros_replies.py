@@ -7,7 +7,7 @@ import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
 from std_msgs.msg import Empty, String
 
-from command_server.open_commands import Ending, OpenCommand
+from command_server.open_commands import CommandText, Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
 from roboframenet_ros.bounded_text import one_line
 
@@ -29,6 +29,7 @@ class Replies:
         self._status = rospy.Publisher("status", CommandStatus, queue_size=100, latch=True)
         self._taken = rospy.Publisher("text_taken", String, queue_size=1000)
         self._untold: List[str] = []
+        self._unlogged: List[CommandText] = []
         self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
         self._sentence = "Ready."
         self._told_ids: Optional[Tuple[str, ...]] = None
@@ -42,8 +43,13 @@ class Replies:
         """A text was heard; this is told with the next status, when its command is saved and will be answered."""
         self._untold.append(text)
 
+    def note_heard(self, command: CommandText) -> None:
+        """A command was heard; the log says so before its reply, or when it is sent: a log call takes a while."""
+        self._unlogged.append(command)
+
     def publish(self, ending: Ending) -> Reply:
         """Publish the reply to a command, and return it."""
+        self._log_heard()
         reply = ending_to_message(ending)
         rospy.loginfo(
             "cmd=%s -> %s %s (%s) %s",
@@ -70,13 +76,15 @@ class Replies:
         return self._status_due_s
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish which texts were taken, and the status if it is due. Call it when the commands are saved.
+        """Publish which texts were taken, and the status if it is due. Call it when the commands are saved
+        and sent.
 
         Which commands are open, and the last reply, are told at once: others decide by them what "Cancel it." means.
 
         Args:
             open_commands: oldest first
         """
+        self._log_heard()
         untold, self._untold = self._untold, []
         for text in untold:
             self._taken.publish(String(data=text))
@@ -94,3 +102,8 @@ class Replies:
                 last_reply=self.last_reply,
             )
         )
+
+    def _log_heard(self) -> None:
+        for command in self._unlogged:
+            rospy.loginfo("cmd=%s heard %r", command.command_id, command.text)
+        self._unlogged.clear()
