@@ -9,7 +9,7 @@ from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
-from utterance_passes.amounts import is_beside
+from utterance_passes.amounts import is_beside, is_number
 from utterance_passes.clauses import prepositions_of
 from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.shared_objects import shared_object
@@ -47,6 +47,8 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     prepositions = prepositions_of(tree, index)
     if not prepositions or not _is_prepositional(tree, index) or is_of_every_action(prepositions[0], word.form):
         return False
+    if prepositions[0] == "by" and is_number(tree, index):
+        return False  # "the cup *by six*" is a time
     # "The door on the left", with the tag of the adverb.
     if word.upos == "ADV" and word.form.lower() not in _LEFT_AND_RIGHT:
         return False

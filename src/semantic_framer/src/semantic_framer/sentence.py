@@ -6,6 +6,7 @@ from phrase_meanings.phrase_types import PhraseTypes
 from phrase_meanings.phrases import Phrases
 from semantic_types import WordTypes, shipped_types
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
+from utterance_passes.amounts import is_number
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
@@ -14,6 +15,8 @@ _OF_NOUNS = frozenset(
     "num number nummod poss nmod:poss possessive nn compound amod det predet preconj appos abbrev rcmod vmod partmod "
     "infmod acl".split()
 )
+#: "By six" is an amount or a time: nobody goes by a number, and no cup stands by one.
+_BY = frozenset(["prep_by", "obl:by", "nmod:by"])
 _HARMLESS = word_class("harmless")
 _SPEAKER_OBJECTS = word_class("speaker_objects")
 _ARGUMENTS = frozenset(["nsubj", "obj", "iobj", "obl", "xcomp"])
@@ -74,7 +77,8 @@ class Sentence:
         found: Dict[Tuple[int, str], Set[int]] = {}
         for arc in self.arcs:
             for relation in arc.relations:
-                found.setdefault((arc.governor, relation), set()).add(arc.dependent)
+                if relation not in _BY or not is_number(tree, arc.dependent):
+                    found.setdefault((arc.governor, relation), set()).add(arc.dependent)
         #: By governor and relation, in the order of the sentence: each unit asks again.
         self._dependents = {key: tuple(sorted(dependents)) for key, dependents in found.items()}
 

@@ -330,14 +330,14 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         correct_parse.with_objects_of_vocatives,
     ),
     TreePass(
-        "letters_as_names",
-        "Attach a letter or a number after a noun to the noun, as its name.",
+        "names_behind_nouns",
+        "Attach a name, a letter or a number to the noun or the name in front of it.",
         Example(
             "go|VERB|0|root to|ADP|3|case room|NOUN|1|obl C|PROPN|1|vocative",
             ("C: vocative(go) -> flat(room)",),
         ),
         Stage.FRAMER,
-        names.with_letters_as_names,
+        names.with_names_behind_nouns,
     ),
     TreePass(
         "participles",

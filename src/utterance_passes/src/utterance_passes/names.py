@@ -1,9 +1,10 @@
-"""Finds names of one letter: "room C", "shelf a", "gate B12"."""
+"""Finds names behind nouns and names: "room C", "gate B12", "Anna Smith", "my friend Bob"."""
 
 import re
 from typing import FrozenSet, List
 
 from spoken_quantities import find_unit
+from utterance_passes.persons import is_name_of_person, is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -12,17 +13,21 @@ from word_classes import word_class
 _LETTERED = word_class("lettered_nouns")
 _LETTER = re.compile("[A-Z][0-9]*|[0-9]+[A-Za-z]")
 _SMALL_LETTER = re.compile("[a-z]")
+_OBJECTS = ("obj", "iobj")
+_ROLES = (*_OBJECTS, "obl", "nmod", "nsubj")
 #: A letter before one of these is not a name: "a mug", "I want".
 _NO_END = frozenset(["NOUN", "PROPN", "ADJ", "NUM", "VERB", "AUX"])
 
 
-def with_letters_as_names(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a letter or a number after a noun to the noun, as its name.
+def with_names_behind_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a name, a letter or a number to the noun or the name in front of it.
 
     A small letter, as speech recognisers write it, is a name only after a noun that takes letters as names.
     """
-    for noun, name in zip(tree.words, tree.words[1:]):
-        if not _is_name(tree, noun, name) or name.head == noun.index or noun.head == name.index:
+    for index in range(1, len(tree.words)):
+        noun, name = _whole(tree, tree.word(index)), tree.word(index + 1)
+        is_letter = _is_letter(tree, tree.word(index), name)
+        if name.head == noun.index or noun.head == name.index or not (is_letter or _is_next_name(noun, name)):
             continue
         edit = TreeEdit(tree)
         edit.rehang_children(name.index, noun.index)
@@ -37,7 +42,23 @@ def with_letters_as_names(tree: DependencyTree, _: Vocabulary) -> DependencyTree
     return tree
 
 
-def _is_name(tree: DependencyTree, noun: Word, name: Word) -> bool:
+def _whole(tree: DependencyTree, word: Word) -> Word:
+    """Return the word that a word is a part of the name of."""
+    return tree.word(word.head) if word.deprel == "flat" else word
+
+
+def _is_next_name(noun: Word, name: Word) -> bool:
+    """Whether a name goes on with a word, for which the parser has no other use: it is the same to the verb, or
+    somebody who is spoken to, though no mark is before it."""
+    if name.upos != "PROPN" or name.head != noun.head:
+        return False
+    if name.deprel == "vocative":
+        return noun.deprel in _ROLES and (is_name_of_person(noun) or is_person(noun))
+    # "Bring Bob Coke" names a person and a thing.
+    return name.deprel == noun.deprel and noun.deprel in _OBJECTS and noun.upos == "PROPN" and is_name_of_person(name)
+
+
+def _is_letter(tree: DependencyTree, noun: Word, name: Word) -> bool:
     following = tree.words[name.index] if name.index < len(tree.words) else None
     if noun.upos not in ("NOUN", "PROPN") or find_unit(noun.form) or (following and following.upos in _NO_END):
         return False

@@ -46,7 +46,7 @@ ORDER = (
     "purposes_of_things exceptions meant_instead things_named_again "
     "ways_behind_particles avoided_places awaited_deeds sides_in_order items_in_order "
     "contrasts particles_on_the_way ahead_of speeds_together superlatives_at_nouns places_of_devices places_of_all "
-    "measured_turns sides_apart compass_apart around_apart degrees objects_of_vocatives letters_as_names participles "
+    "measured_turns sides_apart compass_apart around_apart degrees objects_of_vocatives names_behind_nouns participles "
     "persons_told things_added objects_behind inverted_places places_described places_shown places_told "
     "durations_at_verbs aspectual_verbs light_verbs quotations comparisons formulas argument_clusters "
     "shared_verbs times"
