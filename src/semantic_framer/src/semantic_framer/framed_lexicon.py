@@ -11,6 +11,9 @@ from semantic_types import WordTypes, shipped_types
 from utterance_passes.vocabulary import Speech
 from world_model import World
 
+#: Relations of clauses behind any conjunction.
+_CLAUSES = frozenset(["advcl", "purpcl"])
+
 
 @dataclass(frozen=True)
 class FramedLexicon:
@@ -60,3 +63,13 @@ class FramedLexicon:
             )
             return Speech.TOLD if is_told else Speech.SAID
         return None
+
+    def takes_clause(self, verb: str, conjunction: str) -> bool:
+        """Whether a unit of a verb asks for the clause behind a conjunction, as those of 2012 may."""
+        asked = _CLAUSES | {f"prepc_{conjunction}"}
+        return any(
+            path.steps[0] in asked
+            for unit in self.lexicon.units_of(verb)
+            for relation in unit.relations
+            for path in relation.relations
+        )

@@ -2,6 +2,7 @@
 
 from typing import Optional
 
+from utterance_passes.gerunds import bases_of_gerund
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -25,6 +26,7 @@ def without_aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Dep
         deed = _deed(tree, word, vocabulary)
         if deed is None:
             continue
+        edit.respell(deed.index, deed.form, _base(deed, vocabulary))
         edit.retag(deed.index, "VERB", "VB")
         edit.rehang(deed.index, word.head, word.deprel)
         for child in tree.children(word.index):
@@ -45,13 +47,26 @@ def _deed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> Optional[
     subjects = [child for child in children if child.deprel.startswith("nsubj")]
     if any(subject.form.lower() not in _HEARERS for subject in subjects):
         return None
-    deed = next((child for child in children if child.index > word.index and child.deprel in _CLAUSES), None)
-    if deed is None or deed.upos != "VERB":
-        return None
-    if any(child.deprel in ("obj", "iobj") and child.index < deed.index for child in children):
+    deed = next((child for child in children if child.index > word.index and _is_deed(tree, child)), None)
+    if deed is None or any(child.deprel in ("obj", "iobj") and child.index < deed.index for child in children):
         return None
     marks = {child.form.lower() for child in tree.children(deed.index) if child.deprel == "mark"}
-    is_bare = not marks and deed.xpos == "VBG" and deed.deprel == "xcomp"
+    is_bare = not marks and (deed.upos == "NOUN" or (deed.xpos == "VBG" and deed.deprel == "xcomp"))
     is_known = f"{word.lemma.lower()} {deed.form.lower()}" in vocabulary.verbs_beginning_with(word.lemma.lower())
-    is_deed = bool(vocabulary.verbs_beginning_with(deed.lemma.lower())) and not is_known
+    is_deed = bool(_base(deed, vocabulary)) and not is_known
     return deed if is_deed and (is_bare or (bool(marks) and marks <= _MARKS)) else None
+
+
+def _is_deed(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word may be the deed: a clause, or a gerund that the parser takes for a thing, "start cleaning"."""
+    is_alone = all(child.deprel == "punct" for child in tree.children(word.index))
+    return (word.deprel in _CLAUSES and word.upos == "VERB") or (
+        word.deprel == "obj" and word.upos == "NOUN" and is_alone
+    )
+
+
+def _base(deed: Word, vocabulary: Vocabulary) -> str:
+    """Return the base form that the lexicon has of a deed; empty if it has none."""
+    forms = [deed.lemma.lower()] if deed.upos == "VERB" else []
+    forms += bases_of_gerund(deed.form.lower())
+    return next((form for form in forms if vocabulary.verbs_beginning_with(form)), "")

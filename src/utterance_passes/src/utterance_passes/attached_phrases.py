@@ -138,7 +138,11 @@ def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         # "Bring them both a drink": a drink has an article of its own.
         is_of_noun = any(child.deprel == "det" and child.index > whole.index for child in tree.children(noun.index))
         is_beside = whole.head == pronoun.head or (is_of_noun and noun.head == pronoun.head)
-        if whole.form.lower() in _WHOLE and is_object and is_beside and not tree.children(whole.index):
+        # "Bring me *both* the cup and the glass".
+        is_of_two = whole.deprel == "cc:preconj" and any(child.deprel == "conj" for child in tree.children(noun.index))
+        if whole.form.lower() not in _WHOLE or is_of_two:
+            continue
+        if is_object and is_beside and not tree.children(whole.index):
             edit.rehang(whole.index, pronoun.index, "det")
             if whole.deprel == "obj":
                 edit.relabel(pronoun.index, "obj")

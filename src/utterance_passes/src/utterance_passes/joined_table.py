@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import joined
+from utterance_passes import joined, turns_in_place
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -19,6 +19,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         joined.with_emphatic_do,
+    ),
+    TreePass(
+        "places_of_turns",
+        "Set aside that a turn leaves the robot where it is.",
+        Example(
+            "spin|VERB|0|root in|ADP|3|case place|NOUN|1|obl",
+            ("in: case(place) -> discourse:aside(spin)", "place: obl(spin) -> discourse:aside(spin)"),
+        ),
+        Stage.FRAMER,
+        turns_in_place.without_places_of_turns,
     ),
     TreePass(
         "particles_at_verbs",

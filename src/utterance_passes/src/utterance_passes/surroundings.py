@@ -7,9 +7,10 @@ The parser receives the command alone; then these words, whose analysis is known
 
 import re
 from dataclasses import dataclass
-from typing import AbstractSet, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import AbstractSet, Dict, Mapping, Optional, Sequence, Tuple
 
 from utterance_passes.formula_file import pattern_of, without_padding
+from utterance_passes.gerunds import bases_of_gerund
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import ASIDE
 from utterance_passes.tree_edits import WordAround
@@ -123,15 +124,8 @@ def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund
     is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
     if not form or is_auxiliary or following in _FORMS_OF_BE:
         return ""
-    forms = _bases_of_gerund(form[:-3] if form.endswith("ing") else "") if is_gerund else [form]
+    forms = bases_of_gerund(form) if is_gerund else [form]
     return next((base for base in forms if vocabulary.verbs_beginning_with(base)), "")
-
-
-def _bases_of_gerund(stem: str) -> List[str]:
-    """Return the possible base forms of the stem before "ing": "scrub" for "scrubb", "bake" for "bak"."""
-    doubled = [stem[:-1]] if stem[-1:] == stem[-2:-1] else []
-    tied = [stem[:-1] + "ie"] if stem.endswith("y") else []
-    return [stem, stem + "e", *doubled, *tied] if len(stem) > 1 else []
 
 
 def _end(tokens: Sequence[_Token], earliest: int) -> int:

@@ -14,6 +14,7 @@ from utterance_passes import (
     light_verbs,
     objections,
     quotations,
+    reasons,
     relations,
     run_ons,
     shared_verbs,
@@ -390,6 +391,21 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             ),
             Stage.FRAMER,
             formulas.without_formulas,
+        ),
+        TreePass(
+            "reasons",
+            "Set aside a clause that says why to do something.",
+            Example(
+                "come|VERB|0|root because|SCONJ|5|mark I|PRON|5|nsubj am|AUX|5|cop cold|ADJ|1|advcl",
+                (
+                    "because: mark(cold) -> discourse:aside(come)",
+                    "I: nsubj(cold) -> discourse:aside(come)",
+                    "am: cop(cold) -> discourse:aside(come)",
+                    "cold: advcl(come) -> discourse:aside(come)",
+                ),
+            ),
+            Stage.FRAMER,
+            reasons.without_reasons,
         ),
         TreePass(
             "argument_clusters",

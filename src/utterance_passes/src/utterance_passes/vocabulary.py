@@ -29,6 +29,9 @@ class Vocabulary(Protocol):
     def speech_of(self, verb: str) -> Optional[Speech]:
         """Return how a verb of saying names its addressee; None for any other verb."""
 
+    def takes_clause(self, verb: str, conjunction: str) -> bool:
+        """Whether a unit of a verb asks for the clause behind a conjunction: "turn left *because I say so*"."""
+
 
 def is_verb(vocabulary: Vocabulary, word: Word) -> bool:
     """Whether a word, as it stands or in its base form, begins a verb of the lexicon."""
@@ -68,3 +71,7 @@ class Verbs:
     def speech_of(self, verb: str) -> Optional[Speech]:
         """Return how a verb of saying names its addressee; None for any other verb."""
         return self.speech.get(verb)
+
+    def takes_clause(self, verb: str, conjunction: str) -> bool:
+        """Return False: these verbs have no units."""
+        return False
