@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import additions, bounded_counts, correct_parse, relations
+from utterance_passes import additions, bounded_counts, correct_parse, relations, wished_results
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -67,6 +67,17 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_commands_behind_statements,
+    ),
+    TreePass(
+        "wished_results",
+        "Make a request for a deed of the wish for its result.",
+        Example(
+            "I|PRON|2|nsubj want|VERB|0|root the|DET|4|det door|NOUN|2|obj closed|VERB|4|acl|close|VBN",
+            ("door: obj(want) -> obj(closed)", "closed: acl(door) -> xcomp(want)"),
+            Verbs(frozenset(["close"])),
+        ),
+        Stage.FRAMER,
+        wished_results.with_wished_results,
     ),
     TreePass(
         "remarks",

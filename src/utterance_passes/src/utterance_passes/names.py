@@ -4,17 +4,17 @@ import re
 from typing import FrozenSet, List
 
 from spoken_quantities import find_unit
-from utterance_passes.persons import is_name_of_person, is_person
+from utterance_passes.persons import is_likely, is_name_of_person, is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _LETTERED = word_class("lettered_nouns")
+_TITLES = word_class("titles")
 _LETTER = re.compile("[A-Z][0-9]*|[0-9]+[A-Za-z]")
 _SMALL_LETTER = re.compile("[a-z]")
-_OBJECTS = ("obj", "iobj")
-_ROLES = (*_OBJECTS, "obl", "nmod", "nsubj")
+_ROLES = ("obj", "iobj", "obl", "nmod", "nsubj")
 #: A letter before one of these is not a name: "a mug", "I want".
 _NO_END = frozenset(["NOUN", "PROPN", "ADJ", "NUM", "VERB", "AUX"])
 
@@ -27,7 +27,7 @@ def with_names_behind_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     for index in range(1, len(tree.words)):
         noun, name = _whole(tree, tree.word(index)), tree.word(index + 1)
         is_letter = _is_letter(tree, tree.word(index), name)
-        if name.head == noun.index or noun.head == name.index or not (is_letter or _is_next_name(noun, name)):
+        if name.head == noun.index or noun.head == name.index or not (is_letter or _is_next_name(tree, noun, name)):
             continue
         edit = TreeEdit(tree)
         edit.rehang_children(name.index, noun.index)
@@ -47,7 +47,7 @@ def _whole(tree: DependencyTree, word: Word) -> Word:
     return tree.word(word.head) if word.deprel == "flat" else word
 
 
-def _is_next_name(noun: Word, name: Word) -> bool:
+def _is_next_name(tree: DependencyTree, noun: Word, name: Word) -> bool:
     """Whether a name goes on with a word, for which the parser has no other use: it is the same to the verb, or
     somebody who is spoken to, though no mark is before it."""
     if name.upos != "PROPN" or name.head != noun.head:
@@ -55,7 +55,19 @@ def _is_next_name(noun: Word, name: Word) -> bool:
     if name.deprel == "vocative":
         return noun.deprel in _ROLES and (is_name_of_person(noun) or is_person(noun))
     # "Bring Bob Coke" names a person and a thing.
-    return name.deprel == noun.deprel and noun.deprel in _OBJECTS and noun.upos == "PROPN" and is_name_of_person(name)
+    if noun.deprel not in _ROLES or not is_name_of_person(name):
+        return False
+    is_same = name.deprel == noun.deprel and noun.upos == "PROPN"
+    return is_same or (name.deprel in _ROLES and _is_title(tree, noun))
+
+
+def _is_title(tree: DependencyTree, noun: Word) -> bool:
+    """Whether a word stands before names: "Dr", "Aunt". Whoever shows the nurse Anna may show Anna to her."""
+    is_bare = not any(child.deprel in ("det", "nmod:poss") for child in tree.children(noun.index))
+    # "Bring guests Fanta" names a thing of which nothing is known.
+    if not is_bare or noun.xpos.endswith("S"):
+        return False
+    return noun.form.lower().rstrip(".") in _TITLES or is_likely(noun, ["Human"])
 
 
 def _is_letter(tree: DependencyTree, noun: Word, name: Word) -> bool:
