@@ -5,12 +5,12 @@ from itertools import takewhile
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
-from semantic_framer.attachment import words_before_amount
+from semantic_framer.attachment import is_direction, words_before_amount
 from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.clock_times import clock_time_at
 from semantic_framer.dialogue import Pending, is_indifferent, is_yes
-from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.frame_roles import DIRECTION, GOAL, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, with_argument
@@ -173,7 +173,8 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     sound = amounts if not any(amount.is_doubtful for amount in amounts) else ()
     if element.quantity is not None:
-        return _amount_values(sentence, element, sound[0]) if sound else []
+        directions = _direction_values(sentence, frame)
+        return _amount_values(sentence, element, sound[0]) + directions if sound else directions
     # "Three feet" is neither a place nor a thing.
     is_measure = any(amount.unit and set(positions) <= set(amount.positions) for amount in amounts)
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
@@ -181,7 +182,8 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
         return []
     heads = list(sentence.children(0))
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
-    if is_unfinished(sentence.tree, head):
+    is_no_place = element.framenet == GOAL and is_direction(sentence.tree, head)
+    if is_no_place or is_unfinished(sentence.tree, head):
         return []
     # "Now the book", "and the book"
     before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
@@ -198,6 +200,13 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
         meant = (quantity, Quantity.NUMBER.value) if len(measured) == 1 else (quantity,)
         said += [value for one in sound[:1] if one.quantity in meant for value in _amount_values(sentence, other, one)]
     return said
+
+
+def _direction_values(sentence: Sentence, frame: SemanticFrame) -> List[TypedArgument]:
+    """Return the direction that an answer names besides what was asked: "how far?" - "forward two feet"."""
+    element = next((one for one in frame.frame_elements if one.framenet == DIRECTION), None)
+    named = _named_values(sentence, element) if element is not None else []
+    return [argument_of(sentence, element.name, named)] if element is not None and len(named) == 1 else []
 
 
 def _named_values(sentence: Sentence, element: FrameElement) -> List[int]:

@@ -5,7 +5,7 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.dialogue import Context
+from semantic_framer.dialogue import Context, is_no, is_yes
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
@@ -292,3 +292,18 @@ def test_silence_confirms_nothing() -> None:
         yes, lexicon(), CONFIRMED, context=context, policy=Policy(), now_s=100.0 + Policy.question_timeout_s + 1.0
     )
     assert isinstance(late, Refusal)
+
+
+@pytest.mark.parametrize("text", ["Yes.", "Of course!", "Yes, please do.", "Yes, I'm sure."])
+def test_words_that_agree(text: str) -> None:
+    assert is_yes(text) and not is_no(text)
+
+
+@pytest.mark.parametrize("text", ["No.", "Of course not.", "Please don't."])
+def test_words_that_decline(text: str) -> None:
+    assert is_no(text) and not is_yes(text)
+
+
+@pytest.mark.parametrize("text", ["I'm not sure.", "Maybe.", "Why?"])
+def test_words_that_do_neither(text: str) -> None:
+    assert not is_yes(text) and not is_no(text)
