@@ -76,8 +76,7 @@ class Replies:
         return self._status_due_s
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish which texts were taken, and the status if it is due. Call it when the commands are saved
-        and sent.
+        """Publish which texts were taken, and the status if it is due; call it when the commands are saved and sent.
 
         Which commands are open, and the last reply, are told at once: others decide by them what "Cancel it." means.
 

@@ -26,8 +26,9 @@ def with_names_behind_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     """
     for index in range(1, len(tree.words)):
         noun, name = _whole(tree, tree.word(index)), tree.word(index + 1)
-        is_letter = _is_letter(tree, tree.word(index), name)
-        if name.head == noun.index or noun.head == name.index or not (is_letter or _is_next_name(tree, noun, name)):
+        if name.head == noun.index or noun.head == name.index:
+            continue
+        if not (_is_letter(tree, tree.word(index), name) or _is_next_name(tree, noun, name)):
             continue
         edit = TreeEdit(tree)
         edit.rehang_children(name.index, noun.index)

@@ -31,6 +31,8 @@ def without_reasons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
         for word in tree.words
         if word.deprel == "advcl" and _is_reason(tree, word) and _is_of_deed(tree, word, vocabulary)
     ]
+    if not found:
+        return tree
     told = [word for word in found if _is_spoken_of(tree, word)]
     edit = TreeEdit(tree)
     for clause in told:

@@ -27,6 +27,8 @@ def with_wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     """Make a request for a deed of the wish for its result; "I want a bottle filled with water" asks for a bottle."""
     edit = TreeEdit(tree)
     for wish in tree.words:
+        if not _is_speaker(tree, wish):
+            continue
         result = _result(tree, wish, vocabulary)
         joined = _joined_results(tree, wish)
         things = [child for child in tree.children(wish.index) if child.deprel == "obj"]
@@ -35,7 +37,7 @@ def with_wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             for other in joined:
                 # "I want the table cleaned and *the floor swept*".
                 _make_deed(edit, other, result.deed.index, "conj")
-        elif len(things) == 1 and len(joined) == 1 and _is_speaker(tree, wish) and _is_definite(tree, things[0]):
+        elif len(things) == 1 and len(joined) == 1 and _is_definite(tree, things[0]):
             # "I want *the table and the chairs* cleaned".
             _make_deed(edit, _Result(things[0], joined[0].deed), wish.index, "xcomp")
             edit.rehang(joined[0].thing.index, things[0].index, "conj")
@@ -62,8 +64,6 @@ def _joined_results(tree: DependencyTree, wish: Word) -> List[_Result]:
 
 def _result(tree: DependencyTree, wish: Word, vocabulary: Vocabulary) -> Optional[_Result]:
     children = tree.children(wish.index)
-    if not _is_speaker(tree, wish):
-        return None
     for deed in tree.words[wish.index :]:
         above = [tree.word(deed.head)] if deed.head else []
         things = [*above, *children, *tree.children(deed.index)]
