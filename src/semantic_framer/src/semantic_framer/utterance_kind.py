@@ -368,7 +368,7 @@ class _Front:
             if lemma in _WANTING:
                 return "WISH"
             is_helped = any(child.deprel.startswith("aux") for child in self._tree.children(word.index))
-            if word.xpos == "VBN" and is_helped:
+            if word.xpos == "VBN" and (is_helped or word.deprel == "xcomp"):
                 return "PART"
             return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
         is_helped = any(child.deprel.startswith("aux") for child in self._tree.children(word.index))
@@ -411,7 +411,7 @@ def _formula_word(word: Word) -> str:
     if said in _QUESTION_WORDS | _OBJECTS | _SHOWN or said in _MOOD_ADVERBS - {"about"}:
         return said
     if said in _SUBJECTS:
-        return "NP" if word.deprel == "det" else said
+        return "NP" if word.deprel in ("det", "obj") else said
     is_verb = word.upos in ("AUX", "VERB") or word.xpos == "MD"
     if is_verb and said in _AUXILIARIES | _BE | _NONFINITE_BE:
         return said

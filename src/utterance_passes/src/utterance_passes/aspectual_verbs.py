@@ -2,7 +2,7 @@
 
 from typing import Optional
 
-from utterance_passes.gerunds import bases_of_gerund
+from utterance_passes.verb_bases import bases_of_gerund
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary

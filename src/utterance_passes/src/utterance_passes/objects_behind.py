@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes.persons import is_likely, is_person, is_person_or_name
+from utterance_passes.persons import is_likely, is_name_of_person, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -40,6 +40,9 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word, preposition in _slips(tree, verb):
                 edit.relabel(word.index, "obj")
                 edit.rehang(preposition.index, verb.index, ASIDE)
+        elif len(objects) == 1 and _unmarked_owner(tree, objects[0]):
+            for owner in _unmarked_owner(tree, objects[0]):
+                edit.rehang(owner.index, verb.index, "iobj")
         elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
             edit.relabel(objects[0].index, "iobj")
             for word in _greeting_behind(tree, verb, objects[0]):
@@ -51,6 +54,9 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
                 edit.relabel(objects[0].index, "iobj")
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
+            _take_owner_from_name(edit, tree, *objects)
+        elif len(objects) == 2:
+            _take_owner_from_name(edit, tree, *objects)
     return edit.tree()
 
 
@@ -68,6 +74,32 @@ def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, W
         # "Bring the guests some wine and me some tea" has two groups.
         if not any(word.upos == "PRON" or is_person(word) for word in map(tree.word, tree.subtree(item.index)))
     )[:1]
+
+
+def _unmarked_owner(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:
+    """Return the person right behind the verb whom the parser takes for the owner: "bring *Anna* orange juice"."""
+    return tuple(
+        owner
+        for owner in tree.children(thing.index)
+        if owner.deprel == "nmod:poss" and owner.index == thing.head + 1 and is_name_of_person(owner)
+        # "Bring Annas cup" lacks an apostrophe.
+        if not owner.form.endswith("s") and not tree.children(owner.index)
+    )
+
+
+def _take_owner_from_name(edit: TreeEdit, tree: DependencyTree, person: Word, thing: Word) -> None:
+    """Give a thing its owner, whom the parser takes for a part of a person's name: "bring Anna *Bob's* cup", "give
+    Uncle Bob *Anna's* cup"."""
+    for owner in tree.words[person.index : max(0, thing.index - 1)]:
+        is_owner = any(case.form in ("'s", "'") for case in tree.children(owner.index) if case.deprel == "case")
+        if owner.deprel != "flat" or not is_owner:
+            continue
+        named = tree.word(owner.head)
+        if named.deprel == "nmod:poss" and named.head == thing.index and named.index == person.index + 1:
+            edit.rehang(named.index, person.index, "flat")
+        elif person.index not in (named.index, named.head):
+            continue
+        edit.rehang(owner.index, thing.index, "nmod:poss")
 
 
 def _slips(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
@@ -103,7 +135,7 @@ def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bo
     below = frozenset().union(*(tree.subtree(place.index) for place in places if place.deprel == "obl"))
     is_around = all(word.upos in ("INTJ", "PUNCT") or word.index in below for word in between)
     is_behind = is_around and first.index < second.index
-    is_anybody = is_person(first) or first.form.lower() in _OBJECT_PRONOUNS
+    is_anybody = is_person(first) or is_name_of_person(first) or first.form.lower() in _OBJECT_PRONOUNS
     return is_behind and first.deprel == second.deprel == "obj" and is_anybody
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import AbstractSet, Dict, Mapping, Optional, Sequence, Tuple
 
 from utterance_passes.formula_file import pattern_of, without_padding
-from utterance_passes.gerunds import bases_of_gerund
+from utterance_passes.verb_bases import bases_of_gerund
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import ASIDE
 from utterance_passes.tree_edits import WordAround

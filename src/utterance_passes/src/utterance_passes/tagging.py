@@ -27,6 +27,7 @@ _COMPARING = tuple(word_class("comparing_endings"))
 _JOINTS = frozenset(["and", "or"])
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_QUESTION_WORDS = word_class("question_words")
 _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
@@ -258,13 +259,15 @@ def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
 
 
 def nouns_behind_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a word right behind the verb of the command as a noun that English does not know as a verb: "give *grandpa*
-    his glasses"."""
+    """Tag a word right behind the verb of the command as a noun that English does not know as a verb or an adverb:
+    "give *grandpa* his glasses"."""
     verb = command_verb_position(forms, vocabulary)
-    if verb is None or verb >= len(forms) or tags[verb] != "VERB":
+    if verb is None or verb >= len(forms) or tags[verb] not in ("VERB", "ADV"):
         return ()
     form = forms[verb].lower()
     parts = parts_of_speech(form)
+    if tags[verb] == "ADV" and (ADVERB in parts or form in _QUESTION_WORDS):
+        return ()
     is_noun = NOUN in parts and VERB not in parts and not form.endswith(_VERB_ENDINGS)
     return (
         (Retag(verb + 1, "NOUN", "NN", "Number=Sing"),) if is_noun and not vocabulary.verbs_beginning_with(form) else ()
