@@ -51,7 +51,7 @@ _WATCHING = word_class("watching_verbs")
 _SHOWN = frozenset(["here", "there"])
 #: After a clause with one of these verb forms, a base form starts a new clause: "I'm tired *and bring me water*".
 _FINISHED = frozenset(["PAST", "PART", "GERUND", "BE", "THIRD"])
-_FORM_OF_TAG = {"VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
+_FORM_OF_TAG = {"VB": "BASE", "VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
 _REMARKS = frozenset(["it BE", "i BE", "we BE"])
 _SUFFIX_OF_TAG = {"VBG": "-ing", "VBD": "-ed", "VBN": "-ed", "VBZ": "-s"}
 

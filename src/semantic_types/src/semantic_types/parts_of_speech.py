@@ -56,9 +56,16 @@ class PartsOfSpeech:
 
     def _has(self, part: str, form: str) -> bool:
         index = self._indexes[part]
-        return any(index.line_of(base) is not None for base in self._bases(part, form))
+        return any(index.line_of(base) is not None for base in self.base_forms(form, part))
 
-    def _bases(self, part: str, form: str) -> Tuple[str, ...]:
+    def base_forms(self, word: str, part: str) -> Tuple[str, ...]:
+        """Return the words that a word may be a form of, itself first: "brought", "bring"; not all need be words.
+
+        Args:
+            word: one word; upper and lower case mean the same
+            part: ``NOUN``, ``VERB``, ``ADJECTIVE`` or ``ADVERB``
+        """
+        form = word.lower()
         irregular = self._exceptions[part].line_of(form)
         regular = [form[: -len(ending)] + base for ending, base in _ENDINGS[part] if form.endswith(ending)]
         bases = [form, *(irregular.split()[1:] if irregular else ()), *regular]
@@ -78,3 +85,13 @@ def parts_of_speech(word: str) -> FrozenSet[str]:
         NoWordNet: it is not installed
     """
     return _shipped().of(word)
+
+
+def base_forms(word: str, part: str) -> Tuple[str, ...]:
+    """Return the words that a word may be a form of by the database of the machine; see
+    :meth:`PartsOfSpeech.base_forms`.
+
+    Raises:
+        NoWordNet: it is not installed
+    """
+    return _shipped().base_forms(word, part)

@@ -2,7 +2,7 @@
 
 from typing import Optional
 
-from utterance_passes.verb_bases import bases_of_gerund
+from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -67,6 +67,7 @@ def _is_deed(tree: DependencyTree, word: Word) -> bool:
 
 def _base(deed: Word, vocabulary: Vocabulary) -> str:
     """Return the base form that the lexicon has of a deed; empty if it has none."""
+    form = deed.form.lower()
     forms = [deed.lemma.lower()] if deed.upos == "VERB" else []
-    forms += bases_of_gerund(deed.form.lower())
+    forms += base_forms(form, VERB) if form.endswith("ing") else ()
     return next((form for form in forms if vocabulary.verbs_beginning_with(form)), "")

@@ -9,8 +9,8 @@ import re
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, Mapping, Optional, Sequence, Tuple
 
+from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.formula_file import pattern_of, without_padding
-from utterance_passes.verb_bases import bases_of_gerund
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import ASIDE
 from utterance_passes.tree_edits import WordAround
@@ -34,6 +34,10 @@ _SAYING = word_class("saying_verbs")
 #: The most words of a formula.
 _LONGEST = 14
 _MARKS = (".", "?", "!")
+#: Marks behind a formula: "do me a favour: open the door".
+_BREAKS = (",", ":")
+#: The end of a formula behind which the verb may have any form: "it would be great if you *opened* the door".
+_SUPPOSING = " if you"
 _TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")
 #: Parts of speech by relation; the other words around a command are interjections.
 _TAGS: Dict[str, Tuple[str, str]] = {"aux": ("AUX", "MD"), "nsubj": ("PRON", "PRP"), "vocative": ("NOUN", "NN")}
@@ -84,20 +88,28 @@ def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroun
 
 
 def _front(
-    tokens: Sequence[_Token], start: int, vocabulary: Vocabulary, *, is_minding: bool = False
+    tokens: Sequence[_Token], start: int, vocabulary: Vocabulary, *, ending: Optional[str] = None
 ) -> Optional[_Front]:
-    """Find the verb of a command after any number of formulas."""
+    """Find the verb of a command after any number of formulas.
+
+    Args:
+        tokens: of the utterance
+        start: where to look
+        vocabulary: known verbs
+        ending: of the form of the verb, any for ""; None: it has its base form
+    """
     first = _behind(tokens, start, _LEAD_IN | _PADDING)
     for behind in range(min(len(tokens), first + _LONGEST), first, -1):
         forms = [token.said for token in tokens[first:behind]]
-        if forms[-1] in _PADDING or forms[-1] == ",":
+        if forms[-1] in _PADDING or forms[-1] in _BREAKS:
             continue
         text = without_padding(forms)
         is_modal, minds = _MODAL.fullmatch(text) is not None, _MINDING.fullmatch(text) is not None
         if is_modal and behind < len(tokens) and tokens[behind].said in _DOUBTING:
             return None
         is_formula = is_modal or minds or _OPENINGS.fullmatch(text) or _POLITE.fullmatch(text)
-        found = _front(tokens, behind, vocabulary, is_minding=minds) if is_formula else None
+        inflected = "ing" if minds else "" if text.endswith(_SUPPOSING) else None
+        found = _front(tokens, behind, vocabulary, ending=inflected) if is_formula else None
         if found is not None and not (is_modal and found.relations):
             relations = {
                 number: ("nsubj" if tokens[number].said == "you" else "aux") if is_modal else ASIDE
@@ -106,17 +118,17 @@ def _front(
             }
             return _Front(found.verb, found.base, {**relations, **found.relations})
     # "Let" and "hurry" can be verbs of a command, but not in "let's turn left" and "hurry up and turn left".
-    base = _base(tokens, first, vocabulary, is_minding)
+    base = _base(tokens, first, vocabulary, ending)
     return _Front(first, base, {}) if base else None
 
 
 def _behind(tokens: Sequence[_Token], position: int, skipped: AbstractSet[str]) -> int:
-    while position < len(tokens) and (tokens[position].said in skipped or tokens[position].form == ","):
+    while position < len(tokens) and (tokens[position].said in skipped or tokens[position].form in _BREAKS):
         position += 1
     return position
 
 
-def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund: bool) -> str:
+def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, ending: Optional[str]) -> str:
     """Return the base form of the verb of a command; empty if there is no known verb at that position."""
     form = tokens[verb].said if verb < len(tokens) else ""
     following = tokens[verb + 1].said if verb + 1 < len(tokens) else ""
@@ -124,7 +136,9 @@ def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund
     is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
     if not form or is_auxiliary or following in _FORMS_OF_BE:
         return ""
-    forms = bases_of_gerund(form) if is_gerund else [form]
+    if ending is None:
+        return form if vocabulary.verbs_beginning_with(form) else ""
+    forms = base_forms(form, VERB) if form.endswith(ending) else ()
     return next((base for base in forms if vocabulary.verbs_beginning_with(base)), "")
 
 

@@ -3,6 +3,7 @@
 import re
 from typing import Optional, Sequence, Tuple
 
+from semantic_types import Fit, shipped_types
 from semantic_types.parts_of_speech import ADVERB, NOUN, VERB, parts_of_speech
 from utterance_passes.amounts import SIGNS
 from utterance_passes.tree import DependencyTree
@@ -27,7 +28,6 @@ _COMPARING = tuple(word_class("comparing_endings"))
 _JOINTS = frozenset(["and", "or"])
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-_QUESTION_WORDS = word_class("question_words")
 _RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
@@ -259,14 +259,15 @@ def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
 
 
 def nouns_behind_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a word right behind the verb of the command as a noun that English does not know as a verb or an adverb:
-    "give *grandpa* his glasses"."""
+    """Tag a word right behind the verb of the command as a noun that English does not know as a verb, "give
+    *grandpa* his glasses"; what the tagger takes for an adverb must be a person."""
     verb = command_verb_position(forms, vocabulary)
     if verb is None or verb >= len(forms) or tags[verb] not in ("VERB", "ADV"):
         return ()
     form = forms[verb].lower()
     parts = parts_of_speech(form)
-    if tags[verb] == "ADV" and (ADVERB in parts or form in _QUESTION_WORDS):
+    is_person = shipped_types().of_noun([form]).fit(["Human"]) is Fit.LIKELY
+    if tags[verb] == "ADV" and (ADVERB in parts or not is_person):
         return ()
     is_noun = NOUN in parts and VERB not in parts and not form.endswith(_VERB_ENDINGS)
     return (

@@ -5,9 +5,9 @@
 
 from typing import List, NamedTuple, Optional
 
+from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.verb_bases import bases_of_gerund, bases_of_participle
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -119,8 +119,7 @@ def _needed(tree: DependencyTree, verb: Word, vocabulary: Vocabulary) -> Optiona
 
 def _base(deed: Word, vocabulary: Vocabulary) -> str:
     """Return the base form that the lexicon has of a deed; empty if it has none."""
-    form = deed.form.lower()
-    bases = [deed.lemma.lower(), *bases_of_gerund(form), *bases_of_participle(form)]
+    bases = [deed.lemma.lower(), *base_forms(deed.form, VERB)]
     return next((base for base in bases if vocabulary.verbs_beginning_with(base)), "")
 
 
