@@ -201,8 +201,8 @@ def is_no(text: str) -> bool:
 
 def is_indifferent(text: str) -> bool:
     """Whether an utterance leaves a choice to the robot: "any of them", "I don't care"."""
-    return _bare(text).replace("\u2019", "'") in _INDIFFERENCE
+    return _bare(text) in _INDIFFERENCE
 
 
 def _bare(text: str) -> str:
-    return " ".join(text.lower().replace(",", " ").strip(" .!?").split())
+    return " ".join(text.lower().replace("\u2019", "'").replace(",", " ").strip(" .!?").split())

@@ -294,7 +294,7 @@ def test_silence_confirms_nothing() -> None:
     assert isinstance(late, Refusal)
 
 
-@pytest.mark.parametrize("text", ["Yes.", "Of course!", "Yes, please do.", "Yes, I'm sure."])
+@pytest.mark.parametrize("text", ["Yes.", "Of course!", "Yes, please do.", "Yes, I'm sure.", "Yes, I\u2019m sure."])
 def test_words_that_agree(text: str) -> None:
     assert is_yes(text) and not is_no(text)
 

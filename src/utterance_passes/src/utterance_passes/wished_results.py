@@ -23,6 +23,8 @@ _CLAUSES = ("acl", "xcomp", "ccomp", "advcl")
 _THINGS = ("obj", "nsubj", "nsubj:pass")
 #: What a participle behind a thing calls it.
 _NAMES = ("obj", "xcomp", "appos", "nmod")
+#: Forms of "be" before a result: "to *be* cleaned", "to *be* open".
+_TO_BE = ("aux:pass", "cop")
 #: Behind a participle alone, other phrases may tell which thing is meant: "the book placed on the shelf".
 _OF_DEEDS = word_class("to_prepositions")
 
@@ -55,13 +57,18 @@ def _make_wished(edit: TreeEdit, tree: DependencyTree, wish: Word, vocabulary: V
     joined = _joined_results(tree, wish, vocabulary)
     things = [child for child in tree.children(wish.index) if child.deprel == "obj"]
     if result is not None:
-        _make_deed(edit, result, wish.index, "xcomp")
+        _make_deed(edit, tree, result, wish.index, "xcomp")
         for other in joined:
             # "I want the table cleaned and *the floor swept*".
-            _make_deed(edit, other, result.deed.index, "conj")
-    elif len(things) == 1 and len(joined) == 1 and _is_definite(tree, things[0]):
+            _make_deed(edit, tree, other, result.deed.index, "conj")
+        return
+    for child in tree.children(things[0].index) if things else ():
+        if child.deprel == "acl" and any(word.deprel in _TO_BE for word in tree.children(child.index)):
+            # Whoever wants "the cup *to be on the table*" does not want the cup.
+            edit.rehang(child.index, wish.index, "xcomp")
+    if len(things) == 1 and len(joined) == 1 and _is_definite(tree, things[0]):
         # "I want *the table and the chairs* cleaned".
-        _make_deed(edit, joined[0]._replace(thing=things[0]), wish.index, "xcomp")
+        _make_deed(edit, tree, joined[0]._replace(thing=things[0]), wish.index, "xcomp")
         edit.rehang(joined[0].thing.index, things[0].index, "conj")
         for child in tree.children(joined[0].deed.index):
             if child.deprel == "cc":
@@ -76,10 +83,13 @@ def _make_needed(edit: TreeEdit, tree: DependencyTree, verb: Word, vocabulary: V
     if needed.deed.index != verb.index:
         edit.rehang_children(verb.index, needed.deed.index)
         edit.rehang(verb.index, needed.deed.index, "aux")
-    _make_deed(edit, needed, verb.head, verb.deprel)
+    _make_deed(edit, tree, needed, verb.head, verb.deprel)
 
 
-def _make_deed(edit: TreeEdit, result: _Result, head: int, relation: str) -> None:
+def _make_deed(edit: TreeEdit, tree: DependencyTree, result: _Result, head: int, relation: str) -> None:
+    for child in tree.children(result.deed.index):
+        if child.deprel == "cop":
+            edit.relabel(child.index, "aux:pass")
     edit.respell(result.deed.index, result.deed.form, result.base)
     edit.retag(result.deed.index, "VERB", "VBN")
     edit.rehang(result.deed.index, head, relation)
@@ -174,12 +184,13 @@ def _is_deed(tree: DependencyTree, thing: Word, deed: Word) -> bool:
     # The deed may be below its thing, or above it.
     below = tree.subtree(deed.index) if deed.head == thing.index else frozenset()
     last = max(tree.subtree(thing.index) - below)
+    is_to_be = any(child.deprel in _TO_BE for child in own)
     # "I want the door *closed*", "get the room *clean*".
-    is_state = deed.upos == "ADJ" and deed.deprel == "xcomp"
+    is_state = deed.upos == "ADJ" and (is_to_be or deed.deprel == "xcomp")
     if not (is_state or deed.xpos in _PARTICIPLES) or first != last + 1:
         return False
-    if any(child.deprel == "aux:pass" for child in own):
-        return all(child.deprel in ("mark", "aux:pass") for child in own if child.index < deed.index)
+    if is_to_be:
+        return all(child.deprel in ("mark", *_TO_BE) for child in own if child.index < deed.index)
     if any(child.deprel in _NAMES for child in own):
         # "The book *called Emma*".
         return False
