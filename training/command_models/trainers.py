@@ -224,10 +224,18 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
     return commands
 
 
+#: The kernels of torch, oneDNN and MKL that every processor with AVX2 has. MKL offers only "COMPATIBLE" to all makes.
+ARITHMETIC = {"ATEN_CPU_CAPABILITY": "avx2", "ONEDNN_MAX_CPU_ISA": "AVX2", "MKL_CBWR": "COMPATIBLE"}
+
+
 def environment() -> Dict[str, str]:
-    """Return the environment of a trainer: one thread, no downloads from a model hub, fixed hashing."""
+    """Return the environment of a trainer: one thread, no downloads from a model hub, fixed hashing, one arithmetic.
+
+    Libraries choose their kernels by the processor, and kernels round differently: without a fixed choice, the same
+    command makes other models on another machine.
+    """
     changed = dict(os.environ)
-    changed.update({"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1", "PYTHONHASHSEED": "0"})
+    changed.update({"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1", "PYTHONHASHSEED": "0", **ARITHMETIC})
     # a trainer may be a module of this package, which need not be installed
     here = str(Path(__file__).resolve().parent.parent)
     changed["PYTHONPATH"] = os.pathsep.join(part for part in (here, changed.get("PYTHONPATH", "")) if part)

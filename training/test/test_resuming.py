@@ -57,6 +57,11 @@ def test_shipped_models_need_no_option(tmp_path):
     assert vars(plan.effort) == vars(trainers.Effort())
 
 
+def test_trainers_do_not_choose_their_arithmetic_by_the_processor(monkeypatch):
+    monkeypatch.setenv("MKL_CBWR", "AVX512")
+    assert trainers.ARITHMETIC.items() <= trainers.environment().items()
+
+
 def test_figures_are_compared_with_those_of_a_card(tmp_path):
     figures = {card.RAW: dict.fromkeys(card.PUBLISHED, 90.0), "commands, percent": {"LAS": 80.0}, "times": {"p50": 3.0}}
     (tmp_path / "figures.json").write_text(json.dumps(figures), encoding="utf-8")

@@ -16,6 +16,7 @@ _FOR = frozenset(["for"])
 _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
 _HERE_AND_THERE = word_class("here_and_there")
+_INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
@@ -28,6 +29,8 @@ _POINTING = word_class("demonstrative_determiners")
 _SIDES = word_class("sides_of_a_row")
 _TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
+#: Nobody is brought all of "me".
+_ONE_PERSON = word_class("male_pronouns") | word_class("female_pronouns") | word_class("words_of_the_speaker")
 _WHOLE = word_class("determiners_of_all")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
@@ -133,11 +136,12 @@ def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     """Attach "all" or "both" to the pronoun before it: "put them *both* on the table" has one object."""
     edit = TreeEdit(tree)
     for pronoun, whole in zip(tree.words, tree.words[1:]):
-        is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS
+        is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS - _ONE_PERSON
         noun = tree.word(whole.head) if whole.head else whole
-        # "Bring them both a drink": a drink has an article of its own.
-        is_of_noun = any(child.deprel == "det" and child.index > whole.index for child in tree.children(noun.index))
-        is_beside = whole.head == pronoun.head or (is_of_noun and noun.head == pronoun.head)
+        # "Bring them both *a* drink", but "bring them *both the* cups".
+        articles = [child for child in tree.children(noun.index) if child.deprel == "det" and child.index > whole.index]
+        is_apart = any(article.form.lower() in _INDEFINITE for article in articles)
+        is_beside = whole.head == pronoun.head or (is_apart and noun.head == pronoun.head)
         # "Bring me *both* the cup and the glass".
         is_of_two = whole.deprel == "cc:preconj" and any(child.deprel == "conj" for child in tree.children(noun.index))
         if whole.form.lower() not in _WHOLE or is_of_two:
