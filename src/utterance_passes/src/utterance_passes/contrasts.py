@@ -1,6 +1,6 @@
 """Sets aside what is not wanted beside what is: "tea instead of coffee", "not the cup but the plate"."""
 
-from typing import FrozenSet, Optional
+from typing import FrozenSet, List, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -13,30 +13,38 @@ _CONTRASTS = word_class("contrasts")
 _EXCEPTIONS = word_class("exceptions_of_all")
 _NOT = word_class("not")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+#: Relations that the parser gives to what is left out.
+_LEFT_OUT = frozenset(["conj", "nmod", "obl", "obj"])
 #: Relations of phrases that are added to a deed.
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _OPPOSITE_SIDES = word_class("opposite_sides")
 
 
 def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing."""
+    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing.
+
+    It may stand behind other phrases: "put *everything* in the box *except the cup*".
+    """
     edit = TreeEdit(tree)
     for but in tree.words:
-        thing = tree.word(but.head) if but.head else but
-        before = tree.word(but.index - 1) if but.index > 1 else but
-        is_of_verb = but.deprel == "case" and thing.deprel == "obl" and before.head == thing.head
-        if but.form.lower() in _EXCEPTIONS and is_of_verb and before.deprel == "obj" and _is_of_all(tree, before):
-            edit.rehang(thing.index, before.index, "nmod")
+        left_out = tree.word(but.head) if but.head else but
+        is_between = but.deprel in ("case", "cc") and left_out.deprel in _LEFT_OUT and left_out.upos in _NOUNS | {"NUM"}
+        if but.form.lower() not in _EXCEPTIONS or not is_between or but.index > left_out.index:
             continue
-        if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
-            continue
-        head = tree.word(thing.head)
-        every = before if head.upos == "VERB" and before.head == head.index and before.deprel == "obj" else head
-        if _is_of_all(tree, every) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):
+        every = next((word for word in _things_before(tree, but, left_out) if _is_of_all(tree, word)), None)
+        if every is not None:
             edit.retag(but.index, "ADP", "IN")
             edit.relabel(but.index, "case")
-            edit.rehang(thing.index, every.index, "nmod")
+            edit.rehang(left_out.index, every.index, "nmod")
     return edit.tree()
+
+
+def _things_before(tree: DependencyTree, but: Word, left_out: Word) -> List[Word]:
+    """Return the things of which others may be left out: the one above, and the object."""
+    above = tree.word(left_out.head)
+    verb = verb_above(tree, above)
+    objects = [child for child in tree.children(verb.index) if child.deprel == "obj" and child.index < but.index]
+    return [word for word in (above, *objects) if word.upos != "VERB"]
 
 
 def _is_of_all(tree: DependencyTree, word: Word) -> bool:

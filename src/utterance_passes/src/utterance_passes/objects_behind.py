@@ -5,13 +5,14 @@ from typing import Tuple
 from utterance_passes.persons import is_likely, is_name_of_person, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
 _GOING = word_class("verbs_of_going")
 _OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
+_PLACES = word_class("destination_adverbs")
 _SAYING = word_class("saying_verbs")
 _THING_PRONOUNS = frozenset(["it", "them"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
@@ -20,7 +21,7 @@ _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 _OF_NOUNS = frozenset(["conj", "nmod", "nmod:unmarked", "appos"])
 
 
-def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach a noun phrase with an article to the verb as its object.
 
     It is not an item of a list if nothing joins it ("bring to Bob at the table the dish"), and not a part of the
@@ -40,6 +41,8 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word, preposition in _slips(tree, verb):
                 edit.relabel(word.index, "obj")
                 edit.rehang(preposition.index, verb.index, ASIDE)
+        elif len(objects) == 1 and _is_object_alone(tree, objects[0], vocabulary):
+            edit.relabel(objects[0].index, "obj")
         elif len(objects) == 1 and _unmarked_owner(tree, objects[0]):
             for owner in _unmarked_owner(tree, objects[0]):
                 edit.rehang(owner.index, verb.index, "iobj")
@@ -74,6 +77,17 @@ def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, W
         # "Bring the guests some wine and me some tea" has two groups.
         if not any(word.upos == "PRON" or is_person(word) for word in map(tree.word, tree.subtree(item.index)))
     )[:1]
+
+
+def _is_object_alone(tree: DependencyTree, person: Word, vocabulary: Vocabulary) -> bool:
+    """Whether the parser takes a time or a place for the thing that a person gets: "greet *Anna* every morning", "find
+    Bob and bring *him* here"."""
+    behind = [child for child in tree.children(person.head) if child.index > person.index]
+    is_told = vocabulary.speech_of(tree.word(person.head).lemma.lower()) is Speech.TOLD
+    is_before_time = bool(behind) and behind[0].deprel == "obl:unmarked" and person.upos != "PRON"
+    is_before_place = bool(behind) and behind[0].deprel == "advmod" and behind[0].form.lower() in _PLACES
+    is_clause_behind = any(child.deprel in ("ccomp", "xcomp") for child in behind)
+    return person.deprel == "iobj" and (is_before_time or is_before_place) and not is_clause_behind and not is_told
 
 
 def _unmarked_owner(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:

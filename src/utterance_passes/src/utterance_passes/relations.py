@@ -219,6 +219,8 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
         lemma = verb.lemma.lower()
         is_telling = vocabulary.speech_of(lemma) is Speech.TOLD or lemma in _ASKING
         says_itself = vocabulary.speech_of(clause.lemma.lower()) is not None or clause.lemma.lower() in _OPINION
+        if clause.deprel.startswith("acl") and hearer is not clause:
+            _tell_behind_place(edit, tree, clause, vocabulary)
         if hearer is verb or hearer.deprel not in ("obj", "iobj") or not is_telling or says_itself:
             continue
         message = _message_inside(tree, clause)
@@ -233,6 +235,27 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
             edit.retag(opening.index, "SCONJ", "IN")
             edit.rehang(opening.index, message.index, "mark")
     return edit.tree()
+
+
+def _tell_behind_place(edit: TreeEdit, tree: DependencyTree, clause: Word, vocabulary: Vocabulary) -> None:
+    """Make a message of a whole sentence behind the place of a hearer: "tell Anna in the garden *that dinner is
+    ready*". Without it, nothing is told."""
+    place = tree.word(clause.head)
+    verb = verb_above(tree, place)
+    children = tree.children(verb.index)
+    hearers = [child for child in children if child.deprel in ("obj", "iobj")]
+    if vocabulary.speech_of(verb.lemma.lower()) is not Speech.TOLD or len(hearers) != 1 or hearers[0] is place:
+        return
+    that = tree.word(_first_word(tree, clause))
+    subjects = [child for child in tree.children(clause.index) if child.deprel.startswith("nsubj")]
+    has_subject = any(subject.index != that.index for subject in subjects)
+    is_told = any(child.deprel in _OF_MESSAGES for child in children)
+    if is_told or that.form.lower() != "that" or not has_subject or not is_person_or_name(hearers[0]):
+        return
+    edit.relabel(hearers[0].index, "iobj")
+    edit.rehang(clause.index, verb.index, "ccomp")
+    edit.retag(that.index, "SCONJ", "IN")
+    edit.rehang(that.index, clause.index, "mark")
 
 
 def _described_by(tree: DependencyTree, clause: Word) -> Word:
