@@ -250,7 +250,10 @@ def _tell_behind_place(edit: TreeEdit, tree: DependencyTree, clause: Word, vocab
     subjects = [child for child in tree.children(clause.index) if child.deprel.startswith("nsubj")]
     has_subject = any(subject.index != that.index for subject in subjects)
     is_told = any(child.deprel in _OF_MESSAGES for child in children)
-    if is_told or that.form.lower() != "that" or not has_subject or not is_person_or_name(hearers[0]):
+    # "Tell Bob about the things that we did" describes the things.
+    is_place = any(case in _PLACE_PREPOSITIONS for case in prepositions_of(tree, place.index))
+    is_beside = is_place and place.head in (verb.index, hearers[0].index)
+    if is_told or not is_beside or that.form.lower() != "that" or not has_subject or not is_person_or_name(hearers[0]):
         return
     edit.relabel(hearers[0].index, "iobj")
     edit.rehang(clause.index, verb.index, "ccomp")
