@@ -10,7 +10,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import is_beside, is_number
-from utterance_passes.clauses import prepositions_of
+from utterance_passes.clauses import has_case, prepositions_of
 from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.shared_objects import shared_object
 from utterance_passes.tree import DependencyTree
@@ -54,7 +54,9 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
         return False
     if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
-    is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in tree.children(head))
+    # "Hand the cup to the man *with the beard*".
+    is_somebody = tree.word(head).upos == "NOUN" and is_person(tree.word(head))
+    is_thing = word.upos != "PRON" and (is_somebody or not has_case(tree, tree.word(head)))
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
 

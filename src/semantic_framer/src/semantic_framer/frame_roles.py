@@ -30,7 +30,9 @@ NO_THINGS: FrozenSet[str] = frozenset(
     ]
 )
 #: The verbs of these elements need no tool or company, so a phrase with "with" describes the element.
-DESCRIBED: FrozenSet[str] = frozenset(["Cotheme", "Category", "Item"])
+DESCRIBED: FrozenSet[str] = frozenset(
+    ["Cotheme", "Category", "Item", "Sought_entity", "Recipient", "Beneficiary", ADDRESSEE]
+)
 DIRECTION = "Direction"
 OPERATIONAL_STATE = "Operational_state"
 #: What is to be checked, and whether the thing that it is said of has an element of its own.

@@ -172,7 +172,7 @@ def _behind_place(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
 
 
 def _is_thing(word: Word) -> bool:
-    return is_likely(word, ["Physical_object"])
+    return is_likely(word, ["Physical_object", "Fluid"])
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
@@ -193,7 +193,9 @@ def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
 def _begins_with_article(tree: DependencyTree, word: Word) -> bool:
     first = tree.word(min(tree.subtree(word.index)))
     before = tree.word(first.index - 1) if first.index > 1 else first
-    return first.deprel == "det" and first.head == word.index and before.upos not in ("PUNCT", "CCONJ")
+    # "Bring the lady at the bar *her* drink".
+    is_owner = first.deprel == "nmod:poss" and first.upos == "PRON"
+    return (is_owner or first.deprel == "det") and first.head == word.index and before.upos not in ("PUNCT", "CCONJ")
 
 
 def _behind_description(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:

@@ -238,8 +238,8 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
 
 
 def _tell_behind_place(edit: TreeEdit, tree: DependencyTree, clause: Word, vocabulary: Vocabulary) -> None:
-    """Make a message of a whole sentence behind the place of a hearer: "tell Anna in the garden *that dinner is
-    ready*". Without it, nothing is told."""
+    """Make a message of a whole sentence behind the place of a hearer, or what the hearer has: "tell Anna in the garden
+    *that dinner is ready*". Without it, nothing is told."""
     place = tree.word(clause.head)
     verb = verb_above(tree, place)
     children = tree.children(verb.index)
@@ -251,7 +251,8 @@ def _tell_behind_place(edit: TreeEdit, tree: DependencyTree, clause: Word, vocab
     has_subject = any(subject.index != that.index for subject in subjects)
     is_told = any(child.deprel in _OF_MESSAGES for child in children)
     # "Tell Bob about the things that we did" describes the things.
-    is_place = any(case in _PLACE_PREPOSITIONS for case in prepositions_of(tree, place.index))
+    cases = prepositions_of(tree, place.index)
+    is_place = any(case in _PLACE_PREPOSITIONS for case in cases) or cases == ["with"]
     is_beside = is_place and place.head in (verb.index, hearers[0].index)
     if is_told or not is_beside or that.form.lower() != "that" or not has_subject or not is_person_or_name(hearers[0]):
         return
