@@ -43,6 +43,10 @@ def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
                 edit.rehang(preposition.index, verb.index, ASIDE)
         elif len(objects) == 1 and _is_object_alone(tree, objects[0], vocabulary):
             edit.relabel(objects[0].index, "obj")
+        elif len(objects) == 1 and _number_in_name(tree, objects[0]):
+            for number in _number_in_name(tree, objects[0]):
+                edit.rehang(number.index, verb.index, "obj")
+            edit.relabel(objects[0].index, "iobj")
         elif len(objects) == 1 and _unmarked_owner(tree, objects[0]):
             for owner in _unmarked_owner(tree, objects[0]):
                 edit.rehang(owner.index, verb.index, "iobj")
@@ -88,6 +92,16 @@ def _is_object_alone(tree: DependencyTree, person: Word, vocabulary: Vocabulary)
     is_before_place = bool(behind) and behind[0].deprel == "advmod" and behind[0].form.lower() in _PLACES
     is_clause_behind = any(child.deprel in ("ccomp", "xcomp") for child in behind)
     return person.deprel == "iobj" and (is_before_time or is_before_place) and not is_clause_behind and not is_told
+
+
+def _number_in_name(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
+    """Return how many things a person gets, which the parser takes for a part of the name: "bring Anna *one*, too"."""
+    return tuple(
+        number
+        for number in tree.children(person.index)
+        if number.deprel == "flat" and number.upos == "NUM" and number.form.islower() and number.form.isalpha()
+        if person.index == person.head + 1 and number.index == person.index + 1 and is_name_of_person(person)
+    )
 
 
 def _unmarked_owner(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:
