@@ -69,6 +69,10 @@ def tells_which(tree: DependencyTree, index: int) -> bool:
         return False
     if prepositions == ["from"]:
         return word.form.lower() in _LEFT_AND_RIGHT
+    if prepositions == ["to"]:
+        # "Bring me the cup *to the left of the plate*"; "put the cup to the left of the plate" says where to.
+        has_receiver = any(child.deprel == "iobj" for child in tree.children(tree.word(word.head).head))
+        return has_receiver and word.form.lower() in _LEFT_AND_RIGHT
     return prepositions == ["in"] and is_person_or_name(tree.word(word.head)) and is_likely(word, ["Clothing"])
 
 

@@ -119,10 +119,13 @@ def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach the side from which things are counted to the thing: "the second bottle *from the left*"."""
+    """Attach the side from which things are counted to the thing, "the second bottle *from the left*", and the side of
+    another thing to what somebody gets, "bring me the cup *to the left of the plate*"."""
     edit = TreeEdit(tree)
     for side in tree.words:
         cases = [child for child in tree.children(side.index) if child.deprel == "case"]
+        if side.form.lower() in _SIDES and [case.form.lower() for case in cases] == ["to"]:
+            _attach_to_what_is_given(edit, tree, side, cases[0])
         if side.form.lower() not in _SIDES or [case.form.lower() for case in cases] != ["from"]:
             continue
         noun = tree.word(cases[0].index - 1) if cases[0].index > 1 else side
@@ -130,6 +133,14 @@ def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if is_counted and noun.upos in ("NOUN", "PROPN") and side.head == noun.head:
             edit.rehang(side.index, noun.index, "nmod")
     return edit.tree()
+
+
+def _attach_to_what_is_given(edit: TreeEdit, tree: DependencyTree, side: Word, case: Word) -> None:
+    noun = tree.word(case.index - 1) if case.index > 1 else side
+    has_receiver = any(child.deprel == "iobj" for child in tree.children(noun.head)) if noun.head else False
+    is_of_thing = any(_has_case(tree, child, frozenset(["of"])) for child in tree.children(side.index))
+    if noun.deprel == "obj" and side.head == noun.head and has_receiver and is_of_thing:
+        edit.rehang(side.index, noun.index, "nmod")
 
 
 def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
