@@ -12,6 +12,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _CAUSATIVE = word_class("causative_verbs")
+_DUTIES = word_class("modals_of_duty")
 _HEARERS = word_class("hearers")
 _INDEFINITE = word_class("indefinite_articles")
 _NEEDS = word_class("verbs_of_duty")
@@ -118,9 +119,10 @@ def _needed(tree: DependencyTree, verb: Word, vocabulary: Vocabulary) -> Optiona
     is_verb_of_duty = verb.lemma.lower() in _NEEDS
     deeds = [child for child in tree.children(verb.index) if child.deprel == "xcomp"] if is_verb_of_duty else [verb]
     for deed in deeds:
-        helping = {child.deprel for child in tree.children(deed.index) if child.deprel.startswith("aux")}
-        is_passive = deed.xpos in _PARTICIPLES and ("aux:pass" in helping or is_verb_of_duty)
-        is_due = is_verb_of_duty or "aux" in helping
+        helping = [child for child in tree.children(deed.index) if child.deprel.startswith("aux")]
+        is_helped = any(child.deprel == "aux:pass" for child in helping)
+        is_passive = deed.xpos in _PARTICIPLES and (is_helped or is_verb_of_duty)
+        is_due = is_verb_of_duty or any(child.form.lower() in _DUTIES for child in helping)
         base = _base(deed, vocabulary)
         if base and is_due and (is_passive or (is_verb_of_duty and deed.xpos == "VBG")):
             return _Result(things[0], deed, base)
