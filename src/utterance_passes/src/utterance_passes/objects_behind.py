@@ -41,30 +41,35 @@ def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             for word, preposition in _slips(tree, verb):
                 edit.relabel(word.index, "obj")
                 edit.rehang(preposition.index, verb.index, ASIDE)
-        elif len(objects) == 1 and _is_object_alone(tree, objects[0], vocabulary):
-            edit.relabel(objects[0].index, "obj")
-        elif len(objects) == 1 and _number_in_name(tree, objects[0]):
-            for number in _number_in_name(tree, objects[0]):
-                edit.rehang(number.index, verb.index, "obj")
-            edit.relabel(objects[0].index, "iobj")
-        elif len(objects) == 1 and _unmarked_owner(tree, objects[0]):
-            for owner in _unmarked_owner(tree, objects[0]):
-                edit.rehang(owner.index, verb.index, "iobj")
-        elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
-            edit.relabel(objects[0].index, "iobj")
-            for word in _greeting_behind(tree, verb, objects[0]):
-                edit.retag(word.index, "NOUN", "NN")
-                edit.relabel(word.index, "obj")
-        elif len(objects) == 1 and is_person_or_name(objects[0]):
-            for word in _behind_description(tree, objects[0]) or _behind_place(tree, verb):
-                edit.rehang(word.index, verb.index, "obj")
-                edit.relabel(objects[0].index, "iobj")
-        elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
-            edit.relabel(objects[0].index, "iobj")
-            _take_owner_from_name(edit, tree, *objects)
+        elif len(objects) == 1:
+            _correct_only_object(edit, tree, objects[0], vocabulary)
         elif len(objects) == 2:
+            if _are_person_and_thing(tree, *objects):
+                edit.relabel(objects[0].index, "iobj")
             _take_owner_from_name(edit, tree, *objects)
     return edit.tree()
+
+
+def _correct_only_object(edit: TreeEdit, tree: DependencyTree, only: Word, vocabulary: Vocabulary) -> None:
+    """Find the person or the thing beside the only object of a verb."""
+    verb = tree.word(only.head)
+    number, owner = _number_in_name(tree, only), _unmarked_owner(tree, only)
+    greeting = _greeting_behind(tree, verb, only) if is_person(only) else ()
+    if _is_object_alone(tree, only, vocabulary):
+        edit.relabel(only.index, "obj")
+    elif owner:
+        edit.rehang(owner[0].index, verb.index, "iobj")
+    elif number:
+        edit.relabel(only.index, "iobj")
+        edit.rehang(number[0].index, verb.index, "obj")
+    elif greeting:
+        edit.relabel(only.index, "iobj")
+        edit.retag(greeting[0].index, "NOUN", "NN")
+        edit.relabel(greeting[0].index, "obj")
+    elif is_person_or_name(only):
+        for word in _behind_description(tree, only) or _behind_place(tree, verb):
+            edit.rehang(word.index, verb.index, "obj")
+            edit.relabel(only.index, "iobj")
 
 
 def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, Word], ...]:
