@@ -19,7 +19,6 @@ _HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
-_OBJECT_PRONOUNS = word_class("object_pronouns") | word_class("plural_pronouns")
 _ONES = word_class("noun_standins")
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _ORDINALS = word_class("ordinals")
@@ -31,6 +30,7 @@ _TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
 #: Nobody is brought all of "me".
 _ONE_PERSON = word_class("male_pronouns") | word_class("female_pronouns") | word_class("words_of_the_speaker")
+_OBJECT_PRONOUNS = (word_class("object_pronouns") | word_class("plural_pronouns")) - _ONE_PERSON
 _WHOLE = word_class("determiners_of_all")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
@@ -123,10 +123,13 @@ def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     another thing to what somebody gets, "bring me the cup *to the left of the plate*"."""
     edit = TreeEdit(tree)
     for side in tree.words:
+        if side.form.lower() not in _SIDES:
+            continue
         cases = [child for child in tree.children(side.index) if child.deprel == "case"]
-        if side.form.lower() in _SIDES and [case.form.lower() for case in cases] == ["to"]:
+        prepositions = [case.form.lower() for case in cases]
+        if prepositions == ["to"]:
             _attach_to_what_is_given(edit, tree, side, cases[0])
-        if side.form.lower() not in _SIDES or [case.form.lower() for case in cases] != ["from"]:
+        if prepositions != ["from"]:
             continue
         noun = tree.word(cases[0].index - 1) if cases[0].index > 1 else side
         is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(noun.index))
@@ -147,7 +150,7 @@ def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     """Attach "all" or "both" to the pronoun before it: "put them *both* on the table" has one object."""
     edit = TreeEdit(tree)
     for pronoun, whole in zip(tree.words, tree.words[1:]):
-        is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS - _ONE_PERSON
+        is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS
         noun = tree.word(whole.head) if whole.head else whole
         # "Bring them both *a* drink", but "bring them *both the* cups".
         articles = [child for child in tree.children(noun.index) if child.deprel == "det" and child.index > whole.index]

@@ -27,9 +27,11 @@ def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """
     edit = TreeEdit(tree)
     for but in tree.words:
-        left_out = tree.word(but.head) if but.head else but
-        is_between = but.deprel in ("case", "cc") and left_out.deprel in _LEFT_OUT and left_out.upos in _NOUNS | {"NUM"}
-        if but.form.lower() not in _EXCEPTIONS or not is_between or but.index > left_out.index:
+        if but.form.lower() not in _EXCEPTIONS or but.deprel not in ("case", "cc") or not but.head:
+            continue
+        left_out = tree.word(but.head)
+        is_thing = left_out.upos in _NOUNS or left_out.upos == "NUM"
+        if not is_thing or left_out.deprel not in _LEFT_OUT or but.index > left_out.index:
             continue
         every = next((word for word in _things_before(tree, but, left_out) if _is_of_all(tree, word)), None)
         if every is not None:

@@ -266,8 +266,7 @@ def nouns_behind_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vo
         return ()
     form = forms[verb].lower()
     parts = parts_of_speech(form)
-    is_person = shipped_types().of_noun([form]).fit(["Human"]) is Fit.LIKELY
-    if tags[verb] == "ADV" and (ADVERB in parts or not is_person):
+    if tags[verb] == "ADV" and (ADVERB in parts or shipped_types().of_noun([form]).fit(["Human"]) is not Fit.LIKELY):
         return ()
     is_noun = NOUN in parts and VERB not in parts and not form.endswith(_VERB_ENDINGS)
     return (

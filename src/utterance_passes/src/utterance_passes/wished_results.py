@@ -123,8 +123,9 @@ def _needed(tree: DependencyTree, verb: Word, vocabulary: Vocabulary) -> Optiona
         is_helped = any(child.deprel == "aux:pass" for child in helping)
         is_passive = deed.xpos in _PARTICIPLES and (is_helped or is_verb_of_duty)
         is_due = is_verb_of_duty or any(child.form.lower() in _DUTIES for child in helping)
-        base = _base(deed, vocabulary)
-        if base and is_due and (is_passive or (is_verb_of_duty and deed.xpos == "VBG")):
+        is_wanted = is_due and (is_passive or (is_verb_of_duty and deed.xpos == "VBG"))
+        base = _base(deed, vocabulary) if is_wanted else ""
+        if base:
             return _Result(things[0], deed, base)
     return None
 
@@ -159,8 +160,8 @@ def _result(tree: DependencyTree, wish: Word, vocabulary: Vocabulary) -> Optiona
         thing = next((one for one in things if one.deprel in _THINGS and wish.index < one.index < deed.index), None)
         if thing is None or deed.deprel not in _CLAUSES or wish.index not in (deed.head, thing.head):
             continue
-        base = _base(deed, vocabulary)
-        if base and _is_definite(tree, thing) and _is_deed(tree, thing, deed):
+        base = _base(deed, vocabulary) if _is_definite(tree, thing) and _is_deed(tree, thing, deed) else ""
+        if base:
             return _Result(thing, deed, base)
     return None
 
