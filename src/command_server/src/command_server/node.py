@@ -28,7 +28,7 @@ from command_server.open_commands import (
     refusal_of_text,
     stamp_after,
 )
-from command_server.orders_back import order_words, said_behind
+from command_server.orders_back import SPARED_NS, order_words, said_behind
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
@@ -221,6 +221,8 @@ class CommandServerNode:
         self._replies.note_heard(command)
         cry = find_cry(said.text)
         if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
+            command = replace(command, stamp_ns=command.stamp_ns + SPARED_NS)
+            self._last_stamp_ns = command.stamp_ns
             self._commands.open(command)
             self._texts.add(replace(command, text=order_words(command.text)))
         elif cry is not None:

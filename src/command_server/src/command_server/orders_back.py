@@ -14,6 +14,10 @@ ORDERS_STAGE = "standing_orders"
 #: What the rest of the pipeline hears in the place of the words that a person uses.
 FORGET_THAT = "Forget that."
 FORGET_ALL = "Forget all standing orders."
+#: A command that takes orders back counts as said so much later, nanoseconds. The stop server hears of the order's
+#: reply over a topic of its own. If that comes a little behind these words, the words are a cry to it, and its stop
+#: must not end the command.
+SPARED_NS = 100_000_000
 #: An order was just given if it was not longer ago, seconds.
 _FRESH_S = 60.0
 _PAUSES = frozenset(",.")

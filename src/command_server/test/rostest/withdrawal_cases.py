@@ -2,8 +2,9 @@
 
 import time
 
+import rospy
 from command_server_case import CommandServerCase
-from roboframenet_msgs.msg import Reply
+from roboframenet_msgs.msg import Command, Reply, StopReport
 
 from roboframenet_testing import wait_until
 
@@ -24,6 +25,26 @@ class WithdrawalCases(CommandServerCase):
         reply = self.wait_for_reply("Oh, forget it!")
         self.assertEqual((Reply.DONE, "executor"), (reply.outcome, reply.stage))
         self.assertTrue([c for c in self.heard if c.text == "Forget that."])
+
+    def test_stop_server_that_has_not_heard_of_the_order_ends_no_command_that_takes_it_back(self):
+        self.say("silent order of the evening")
+        wait_until(lambda: self.times_heard("silent order of the evening"))
+        order = next(c for c in self.heard if c.text == "silent order of the evening")
+        self.send_event(order, "standing_orders", is_final=True, sentence="I will wave at six.")
+        self.wait_for_reply("silent order of the evening")
+        self.say("Forget everything!")
+        wait_until(lambda: self.times_heard("Forget all standing orders."))
+        command = next(c for c in self.heard if c.text == "Forget all standing orders.")
+        stop_stamp = rospy.Time.now()
+        self.reports.publish(
+            StopReport(command=Command(id="late", stamp=stop_stamp, text="Forget everything!"), stop_stamp=stop_stamp)
+        )
+        # The stages drop what was said before a stop.
+        self.assertGreater(command.stamp, stop_stamp)
+        self.fence()
+        self.send_event(command, "executor", is_final=True, sentence="I forget all 1 orders.")
+        reply = self.wait_for_reply("Forget everything!")
+        self.assertEqual((Reply.DONE, "executor"), (reply.outcome, reply.stage))
 
     def test_prohibition_ends_what_runs_and_says_so(self):
         command = self.run_in_executor("hang in the executor, forbidden")
