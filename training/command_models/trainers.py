@@ -224,8 +224,14 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
     return commands
 
 
-#: The kernels of torch, oneDNN and MKL that every processor with AVX2 has. MKL offers only "COMPATIBLE" to all makes.
-ARITHMETIC = {"ATEN_CPU_CAPABILITY": "avx2", "ONEDNN_MAX_CPU_ISA": "AVX2", "MKL_CBWR": "COMPATIBLE"}
+#: The kernels of torch, oneDNN, MKL and OpenBLAS that every processor with AVX2 has. MKL offers only "COMPATIBLE" to
+#: all makes. OpenBLAS, which SciPy brings along, trains the word vectors.
+ARITHMETIC = {
+    "ATEN_CPU_CAPABILITY": "avx2",
+    "ONEDNN_MAX_CPU_ISA": "AVX2",
+    "MKL_CBWR": "COMPATIBLE",
+    "OPENBLAS_CORETYPE": "Haswell",
+}
 
 
 def environment() -> Dict[str, str]:

@@ -215,9 +215,8 @@ class CommandServerNode:
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
             said.delay_s, longest_s=self._settings.longest_delay_s
         )
-        command = CommandText(
-            command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]
-        )
+        text = said.text[: self._settings.max_text_length]
+        command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
         self._replies.note_heard(command)
         cry = find_cry(said.text)
         if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
@@ -236,9 +235,8 @@ class CommandServerNode:
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._commands.open_commands) >= self._settings.max_open_commands:
-            self._answer_at_once(
-                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands are waiting already."
-            )
+            sentence = "Too many commands are waiting already."
+            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR", sentence=sentence)
         elif not self._stopped_plans.takes(command):
             self._commands.open(command)
             self._texts.add(command)

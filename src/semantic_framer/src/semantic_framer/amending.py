@@ -259,7 +259,8 @@ class _Amending:
         # "The plate to the office" and "Ben the cup" are two phrases each.
         inside = [self._tree.word(index) for index in self._fragment.positions if index > tops[0]]
         is_in_phrase = any(
-            word.deprel in ("case", "mark") or (word.deprel == "det" and self._tree.word(word.head).deprel != "conj")
+            word.deprel in ("case", "mark", "compound:prt")
+            or (word.deprel == "det" and self._tree.word(word.head).deprel != "conj")
             for word in inside
         )
         is_in_phrase |= any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)

@@ -5,7 +5,7 @@ from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.condition_part import ConditionPart
-from semantic_framer.conditions import read_asked, read_condition
+from semantic_framer.conditions import is_auxiliary, read_asked, read_condition
 from semantic_framer.deed_orders import deed_behind, end_order, item_order, times_at
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.joints import SENTENCE_ENDS, Joint, Joints, with_limits
@@ -52,7 +52,7 @@ def asks_whether(sentence: Sentence) -> bool:
     """Whether a sentence begins as one that asks for a condition: "*is* it open?", "*check whether* it is open"."""
     words = _spoken(sentence)
     return bool(words) and (
-        words[0].upos == "AUX" or bool(shipped_links().check_at([word.form.lower() for word in words]))
+        is_auxiliary(words[0]) or bool(shipped_links().check_at([word.form.lower() for word in words]))
     )
 
 
@@ -185,7 +185,7 @@ class _Finder:
         open? If so,* close it".
         """
         length = shipped_links().check_at(self.forms[place:])
-        is_question = self.words[place].upos == "AUX" and (not place or self.forms[place - 1] in SENTENCE_ENDS)
+        is_question = is_auxiliary(self.words[place]) and (not place or self.forms[place - 1] in SENTENCE_ENDS)
         for behind in range(place + length + 1, len(self.words)) if length or is_question else ():
             kind, words_behind = shipped_links().answer_at(self.forms[behind:])
             end = behind + words_behind

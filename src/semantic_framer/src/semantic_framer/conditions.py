@@ -34,6 +34,7 @@ _OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_
 _CLITIC_BE = frozenset(["'s", "’s"])
 _NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_class("negations")
 #: Universal tags of words that are in no noun phrase, and of words that may end one.
+_FORMS_OF_BE = word_class("forms_of_be")
 _NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
@@ -59,6 +60,11 @@ class _Words(NamedTuple):
     is_negated: bool
     is_anew: bool
     renamed: Dict[int, str]
+
+
+def is_auxiliary(word: Word) -> bool:
+    """Whether a word may begin a question; "is" in "is there a mug" is a verb to the parser."""
+    return word.upos == "AUX" or word.form.lower() in _FORMS_OF_BE
 
 
 def read_condition(
@@ -103,7 +109,7 @@ def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int
     Returns:
         None if one of the words is not understood
     """
-    if not positions or sentence.word(positions[0]).upos != "AUX":
+    if not positions or not is_auxiliary(sentence.word(positions[0])):
         return read_condition(sentence, known, positions)
     auxiliary, *rest = positions
     for behind in range(1, len(rest) + 1):
@@ -149,7 +155,7 @@ def _read_whole(
 def _read_one(
     sentence: Sentence, known: FramedLexicon, positions: Sequence[int], is_until: bool, somebody: int = 0
 ) -> Optional[ConditionPart]:
-    if positions and sentence.word(positions[0]).upos == "AUX":
+    if positions and is_auxiliary(sentence.word(positions[0])):
         return None  # "When does Anna come" is a question.
     said = _words(sentence, positions, somebody)
     if said is None or not said.forms:

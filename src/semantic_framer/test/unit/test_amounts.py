@@ -83,7 +83,6 @@ def test_what_can_be_read_plainly_is_read(
         "turn four point six eight radians to three left",
         "turn to the left anything but one point six one radians",
         "Turn to your right one to about three radians.",
-        "Drive 19 in backwards and then drive forward two metres",
     ],
 )
 def test_half_of_what_was_said_is_never_done(understand: Any, text: str, policy: Policy) -> None:

@@ -50,7 +50,6 @@ def test_the_question_expires(understand: Any) -> None:
     [
         "Move forward two three metres.",
         "Take the mug without the plate.",
-        "Go to the office seventeen.",
         "Take the mug the plate.",
         "Turn left three metres.",
     ],

@@ -32,7 +32,7 @@ SENTENCES: Tuple[Tuple[str, str, str, str], ...] = (
     ("npadvmod", "Move forward three feet.", "move", "feet"),
     ("ccomp", "Check whether the oven is hot.", "check", "hot"),
     ("xcomp", "Call this place the workshop.", "call", "workshop"),
-    ("acomp", "Paint the wall red.", "paint", "red"),
+    ("acomp", "Paint the door green.", "paint", "green"),
     ("advmod", "Turn left.", "turn", "left"),
     ("prt", "Turn on the light.", "turn", "on"),
     ("aux", "Could you bring the mug?", "bring", "Could"),

@@ -128,8 +128,6 @@ def said(outcome: Any) -> str:
         # A thing and "please".
         ("Coffee please.", "bringing(theme=Coffee)"),
         ("Two napkins, please.", "bringing(theme=Two napkins)"),
-        # Horses are not followed, they are in the painting.
-        ("Go to the painting with the horses.", "navigating_to_location(goal=the painting with the horses)"),
     ],
 )
 def test_what_is_meant(understand: Any, text: str, meant: str) -> None:

@@ -231,7 +231,7 @@ def test_possessor_is_known(understand: Any) -> None:
         ("high five no one", "NEGATED"),
         ("take none of the boxes", "NEGATED"),
         ("Fly to the moon.", "UNKNOWN_VERB"),
-        ("Colorless green ideas sleep furiously.", "REPORT"),
+        ("Colorless green ideas sleep furiously.", "UNKNOWN_VERB"),
         ("the office", "NO_VERB"),
         ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
         ("move forward five foot thirteen", "LEFT_OVER_WORDS"),

@@ -75,12 +75,18 @@ def _particles_behind_and(tree: DependencyTree, clause: Clause) -> List[int]:
     return [
         index
         for index in sorted(clause.positions)
-        if tree.word(index).deprel == "compound:prt"
+        if (tree.word(index).deprel == "compound:prt" or _is_particle_of_verb(tree, clause, tree.word(index)))
         and index > clause.verb + 1
         and tree.word(index - 1).form.lower() == "and"
         and index + 1 in clause.positions
         and tree.word(index + 1).upos in _BEFORE_AN_OBJECT
     ]
+
+
+def _is_particle_of_verb(tree: DependencyTree, clause: Clause, word: Word) -> bool:
+    """Whether the parser takes a particle for a preposition, though the verb has a particle: "on ... and *off*"."""
+    has_particle = any(child.deprel == "compound:prt" for child in tree.children(clause.verb))
+    return has_particle and word.deprel == "case" and word.xpos == "RP"
 
 
 def _ends_alike(model: Group, group: Group) -> bool:

@@ -20,6 +20,8 @@ _INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _ONES = word_class("noun_standins")
+#: Relations of "one" to the thing, or to its verb.
+_OF_ITEMS = frozenset(["conj", "parataxis"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _ORDINALS = word_class("ordinals")
 _OF_WAYS = frozenset(["down", "up"])
@@ -206,13 +208,25 @@ def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) ->
     return any(child.deprel == "case" and child.form.lower() in prepositions for child in tree.children(word.index))
 
 
+def with_words_before_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach an article or an owner to the object right behind it, not to a noun further on: "tell *the* kids dinner is
+    ready", "tell *my* wife dinner is ready"."""
+    edit = TreeEdit(tree)
+    for before, noun in zip(tree.words, tree.words[1:]):
+        is_object = noun.deprel in ("obj", "iobj") and noun.upos == "NOUN"
+        is_before = before.deprel in ("det", "nmod:poss") and before.upos in ("DET", "PRON")
+        if is_object and is_before and before.head > noun.index:
+            edit.rehang(before.index, noun.index)
+    return edit.tree()
+
+
 def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make one thing of a thing and the words that tell it apart or describe it: "that mug, *the small one*" and "a
     mug, *but a clean one*" are no lists.
     """
     edit = TreeEdit(tree)
     for one in tree.words:
-        thing = _named_before(tree, one) if one.form.lower() in _ONES and one.deprel == "conj" else None
+        thing = _named_before(tree, one) if one.form.lower() in _ONES and one.deprel in _OF_ITEMS else None
         if thing is None:
             continue
         edit.rehang(one.index, thing.index, "appos")

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import additions, bounded_counts, correct_parse, relations, wished_results
+from utterance_passes import additions, attached_phrases, bounded_counts, correct_parse, relations, wished_results
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -123,6 +123,16 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_told_predicates,
+    ),
+    TreePass(
+        "words_before_nouns",
+        'Attach an article or an owner to the object right behind it: "tell *the* kids dinner is ready".',
+        Example(
+            "tell|VERB|0|root the|DET|4|det kids|NOUN|1|iobj dinner|NOUN|5|nsubj waits|VERB|1|ccomp",
+            ("the: det(dinner) -> det(kids)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_words_before_nouns,
     ),
     TreePass(
         "hearers_joined",

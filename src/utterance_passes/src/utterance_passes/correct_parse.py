@@ -4,7 +4,7 @@ from typing import FrozenSet, Iterable, List, Sequence
 
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
-from utterance_passes.clauses import has_case
+from utterance_passes.clauses import has_case, is_then
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -224,6 +224,13 @@ def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:
     return outside[-1] if outside else tree.word(turn.head)
 
 
+def _asks_for_assent(tree: DependencyTree, side: Word) -> bool:
+    """Whether "right" is no side: "turn left, *right*?"."""
+    around = [word.form for word in tree.words[side.index - 2 : side.index + 1]]
+    is_last = [around[0], *around[2:]] == [",", "?"] if len(around) == 3 else False
+    return is_last and side.form.lower() == "right" and side.deprel == "advmod"
+
+
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a side and the measure after it separately to the verb: the parser makes one phrase of "to the right
     fifteen degrees", and of "right twice", and an interjection of "then right".
@@ -236,6 +243,11 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             # Nobody agrees with "then right".
             edit = TreeEdit(tree)
             edit.relabel(side.index, "advmod")
+            tree = edit.tree()
+            continue
+        if _asks_for_assent(tree, side):
+            edit = TreeEdit(tree)
+            edit.relabel(side.index, "discourse")
             tree = edit.tree()
             continue
         if governor.deprel == "nummod":
@@ -260,7 +272,8 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         own = [
             child
             for child in tree.children(governor.index)
-            if child.index < side.index and child.deprel in ("case", "det", "nmod:poss")
+            if child.index < side.index
+            if child.deprel in ("case", "det", "nmod:poss", "cc", "punct") or is_then(child)
         ]
         is_phrase = any(child.deprel == "case" for child in own)
         edit.retag(side.index, "NOUN" if is_phrase else "ADV")

@@ -2,7 +2,7 @@
 
 from typing import Optional
 
-from utterance_passes.clauses import has_case, prepositions_of
+from utterance_passes.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.persons import is_likely, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -33,6 +33,37 @@ def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     return edit.tree()
 
 
+def with_deeds_joined(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Join a bare verb behind a comma to the deed before it, which the parser takes for what goes on meanwhile: "find
+    Anna, *find Bob*, and wave"."""
+    edit = TreeEdit(tree)
+    for deed in tree.words:
+        before = tree.word(deed.index - 1) if deed.index > 1 else deed
+        is_bare = deed.deprel == "advcl" and before.form == "," and deed.form.lower() == deed.lemma.lower()
+        children = tree.children(deed.index)
+        is_clause = any(child.deprel in ("mark", "aux", "cop") or "subj" in child.deprel for child in children)
+        is_behind = 0 < deed.head < deed.index and tree.word(deed.head).upos == "VERB"
+        if is_bare and is_behind and not is_clause and vocabulary.verbs_beginning_with(deed.form.lower()):
+            edit.relabel(deed.index, "conj")
+            edit.retag(deed.index, "VERB", "VB")
+    return edit.tree()
+
+
+def with_deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of the command of what describes "the time": "be there *by the time Bob comes*" names no place."""
+    edit = TreeEdit(tree)
+    for time in tree.words:
+        clauses = [child for child in tree.children(time.index) if child.deprel == "acl:relcl"]
+        cases = [child for child in tree.children(time.index) if child.deprel == "case"]
+        is_deadline = time.form.lower() == "time" and [case.form.lower() for case in cases] == ["by"]
+        if is_deadline and len(clauses) == 1 and time.deprel in ("obl", "nmod"):
+            verb = verb_above(tree, tree.word(time.head))
+            edit.rehang(clauses[0].index, verb.index, "advcl")
+            edit.rehang(time.index, clauses[0].index, "mark")
+            edit.rehang(cases[0].index, time.index, "fixed")
+    return edit.tree()
+
+
 def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
     marks = [child for child in tree.children(clause.index) if child.deprel in ("mark", "advmod")]
     return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
@@ -43,7 +74,12 @@ def with_manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     edit = TreeEdit(tree)
     for manner in tree.words:
         verb = tree.word(manner.head) if manner.head else manner
-        if manner.deprel != "conj" or manner.upos != "ADV" or verb.upos != "VERB" or not _is_manner(manner):
+        if (
+            manner.deprel not in ("conj", "advmod")
+            or manner.upos != "ADV"
+            or verb.upos != "VERB"
+            or not _is_manner(manner)
+        ):
             continue
         children = tree.children(manner.index)
         joining = [child for child in children if child.deprel == "cc"]
@@ -200,13 +236,18 @@ def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
-def with_places_over_here(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach an adverb of way to "here" or "there" behind it: "pull the cart *over* here" has one place."""
+def with_places_over_here(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach an adverb of way to "here" or "there" behind it: "pull the cart *over* here" has one place. So has "stay
+    *right* here", but "turn right here" has a side."""
     edit = TreeEdit(tree)
     for way, place in zip(tree.words[1:], tree.words[2:]):
         are_adverbs = way.head == place.head and way.deprel == place.deprel == "advmod"
         if are_adverbs and way.form.lower() in _BACK and place.form.lower() in _HERE and way.head < way.index - 1:
             edit.rehang(way.index, place.index)
+        elif are_adverbs and place.form.lower() in _HERE and way.form.lower() == "right":
+            lists = vocabulary.lists_of(tree.word(way.head).lemma.lower())
+            if not any("right" in words for words in lists):
+                edit.rehang(way.index, place.index)
     return edit.tree()
 
 

@@ -61,6 +61,27 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_conditions_joined,
     ),
     TreePass(
+        "deeds_joined",
+        "Join a bare verb behind a comma to the deed before it, not as what goes on meanwhile.",
+        Example(
+            "find|VERB|0|root Anna|PROPN|1|obj ,|PUNCT|4|punct find|VERB|1|advcl Bob|PROPN|4|obj",
+            ("find: advcl(find-1) -> conj(find-1)",),
+            Verbs(frozenset(["find"])),
+        ),
+        Stage.FRAMER,
+        joined.with_deeds_joined,
+    ),
+    TreePass(
+        "deadlines_joined",
+        'Make a clause of the command of what describes "the time": "by the time Bob comes".',
+        Example(
+            "go|VERB|0|root by|ADP|4|case the|DET|4|det time|NOUN|1|obl Bob|PROPN|6|nsubj comes|VERB|4|acl:relcl",
+            ("by: case(time) -> fixed(time)", "time: obl(go) -> mark(comes)", "comes: acl:relcl(time) -> advcl(go)"),
+        ),
+        Stage.FRAMER,
+        joined.with_deadlines_joined,
+    ),
+    TreePass(
         "remarks_joined",
         "Set a remark apart that no conjunction joins to the command.",
         Example(

@@ -51,7 +51,11 @@ def _whole(tree: DependencyTree, word: Word) -> Word:
 def _is_next_name(tree: DependencyTree, noun: Word, name: Word) -> bool:
     """Whether a name goes on with a word, for which the parser has no other use: it is the same to the verb, or
     somebody who is spoken to, though no mark is before it."""
-    if name.upos != "PROPN" or name.head != noun.head:
+    if name.head != noun.head:
+        return False
+    if name.upos == "NOUN" and name.deprel == noun.deprel == "iobj":
+        return noun.form.lower().rstrip(".") in _TITLES
+    if name.upos != "PROPN":
         return False
     if name.deprel == "vocative":
         return noun.deprel in _ROLES and (is_name_of_person(noun) or is_person(noun))

@@ -35,6 +35,9 @@ def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             edit.relabel(person.index, "iobj")
             edit.rehang(thing.index, verb.index, "obj")
         objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
+        for thing in objects:
+            for number in _number_behind_name(tree, thing):
+                edit.rehang(number.index, thing.index, "nummod")
         if not objects:
             for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
                 edit.rehang(word.index, verb.index, "obj")
@@ -89,14 +92,16 @@ def _listed_with_person(tree: DependencyTree, verb: Word) -> Tuple[Tuple[Word, W
 
 
 def _is_object_alone(tree: DependencyTree, person: Word, vocabulary: Vocabulary) -> bool:
-    """Whether the parser takes a time or a place for the thing that a person gets: "greet *Anna* every morning", "find
-    Bob and bring *him* here"."""
+    """Whether a person gets nothing: the parser takes a time or a place for the thing, "greet *Anna* every morning",
+    "find Bob and bring *him* here", or nothing follows a name, "find *Anna Maria Smith*"."""
     behind = [child for child in tree.children(person.head) if child.index > person.index]
     is_told = vocabulary.speech_of(tree.word(person.head).lemma.lower()) is Speech.TOLD
     is_before_time = bool(behind) and behind[0].deprel == "obl:unmarked" and person.upos != "PRON"
     is_before_place = bool(behind) and behind[0].deprel == "advmod" and behind[0].form.lower() in _PLACES
     is_clause_behind = any(child.deprel in ("ccomp", "xcomp") for child in behind)
-    return person.deprel == "iobj" and (is_before_time or is_before_place) and not is_clause_behind and not is_told
+    is_all = person.upos == "PROPN" and all(child.upos == "PUNCT" for child in behind)
+    is_object = is_before_time or is_before_place or is_all
+    return person.deprel == "iobj" and is_object and not is_clause_behind and not is_told
 
 
 def _number_in_name(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
@@ -107,6 +112,15 @@ def _number_in_name(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
         if number.deprel == "flat" and number.upos == "NUM" and number.form.islower() and number.form.isalpha()
         if person.index == person.head + 1 and number.index == person.index + 1 and is_name_of_person(person)
     )
+
+
+def _number_behind_name(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:
+    """Return the number of the things right behind it, which the parser takes for a part of a name: "and Paul *two*
+    bananas"."""
+    before = tree.word(max(1, thing.index - 1))
+    is_in_name = before.upos == "NUM" and before.deprel == "flat" and before.form.islower() and before.form.isalpha()
+    is_name = is_in_name and before.head == before.index - 1 and is_name_of_person(tree.word(before.head))
+    return (before,) if is_name and thing.upos == "NOUN" else ()
 
 
 def _unmarked_owner(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:

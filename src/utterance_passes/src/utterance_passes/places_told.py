@@ -29,6 +29,11 @@ _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
 
 
+def _is_clause_at(verb: Word, where: Word) -> bool:
+    """Whether "where" belongs to a verb: right behind it, it cannot be a remark."""
+    return where.deprel in _OF_STATEMENTS or (where.deprel == "parataxis" and where.index == verb.index + 1)
+
+
 def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Replace "you will find her at the desk" beside a command by "she is at the desk".
 
@@ -84,7 +89,7 @@ def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         subjects = [child for child in children if child.deprel == "nsubj" and child.index > where.index]
         copulas = [child for child in children if child.deprel == "cop" and child.form.lower() in _BEING_NOW]
         is_where = where.form.lower() == "where" and (
-            (where.deprel in _OF_STATEMENTS and verb.lemma.lower() in _SHOWING | _GOING)
+            (_is_clause_at(verb, where) and verb.lemma.lower() in _SHOWING | _GOING)
             or (where.deprel == "obl" and [case.form.lower() for case in cases] == ["to"])
         )
         if not is_where or len(subjects) != 1 or len(copulas) != 1:

@@ -5,8 +5,7 @@ the verb of saying governs after it, without the addressee and the next command.
 lexical unit whose frame has a *Message*, in FrameNet's terms.
 """
 
-from dataclasses import dataclass
-from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.persons import is_person, is_person_or_name
@@ -14,7 +13,7 @@ from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.verb_matching import match_verbs
+from utterance_passes.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
@@ -35,18 +34,9 @@ _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PUTTING_OFF = _CONDITIONS - {"if"}
 
 
-@dataclass(frozen=True)
-class _Saying:
-    """A verb of saying: its clause, its last word, and whether the addressee comes right after it."""
-
-    clause: Clause
-    last: int
-    is_told: bool
-
-
 def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Turn each quotation into one object of its verb."""
-    if not _has_verb_of_saying(tree, vocabulary):
+    if not has_verb_of_saying(tree, vocabulary):
         return tree
     behind = 0
     while True:
@@ -55,8 +45,10 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
             (
                 saying
                 for clause in clauses
-                for saying in [_saying(tree, clause, vocabulary)]
+                for saying in [saying_of(tree, clause, vocabulary)]
                 if saying is not None and clause.verb > behind
+                # "Tell Anna the time and Ben the weather" tells two persons something each.
+                if not tells_several(tree, clause, saying.speech)
             ),
             None,
         )
@@ -72,26 +64,7 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
         tree = _Quotation(tree, saying, clauses, vocabulary).tree()
 
 
-def _has_verb_of_saying(tree: DependencyTree, vocabulary: Vocabulary) -> bool:
-    """Whether any word may be a verb of saying; most commands have none, and then their clauses are not needed."""
-    return any(
-        vocabulary.speech_of(verb) is not None
-        for word in tree.words
-        for spelling in {word.form.lower(), word.lemma.lower()}
-        for verb in vocabulary.verbs_beginning_with(spelling)
-    )
-
-
-def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[_Saying]:
-    for match in match_verbs(tree, clause, vocabulary):
-        speech = vocabulary.speech_of(match.verb)
-        # "Tell Anna the time and Ben the weather" tells two persons something each.
-        if speech is not None and not tells_several(tree, clause, speech):
-            return _Saying(clause, max(match.positions), speech is Speech.TOLD)
-    return None
-
-
-def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
+def _stray_clause(tree: DependencyTree, saying: Saying) -> int:
     """Return the verb of a clause right after the verb of saying that the parser attached elsewhere: "find Bob and tell
     her *lunch is ready*"; 0 if there is none.
     """
@@ -109,9 +82,7 @@ def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
 class _Quotation:
     """The quotation of one verb of saying."""
 
-    def __init__(
-        self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary
-    ) -> None:
+    def __init__(self, tree: DependencyTree, saying: Saying, clauses: Sequence[Clause], vocabulary: Vocabulary) -> None:
         self._tree = tree
         self._verb = saying.clause.verb
         self._start = saying.last + 1
@@ -123,8 +94,8 @@ class _Quotation:
         self._is_all_behind = False
         self._end = self._next_command(clauses, vocabulary)
         #: Verb of what somebody is asked to do; it is no quotation.
-        self._requested = self._infinitive() if saying.is_told else 0
-        if saying.is_told:
+        self._requested = self._infinitive() if saying.speech is Speech.TOLD else 0
+        if saying.speech is Speech.TOLD:
             self._skip_addressee()
 
     def tree(self) -> DependencyTree:
@@ -406,9 +377,13 @@ class _Quotation:
                 self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
                 for i in inside - phrase
             )
-            if is_end and is_somebody and not has_subject:
+            behind = self._place_at_end(inside, phrase)
+            if (is_end or behind) and is_somebody and not has_subject and (name or self._case(index) == "to"):
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase
+                if behind:
+                    self._moved[behind] = (index, "nmod")
+                    inside = inside - self._tree.subtree(behind)
                 break
         tops = [w for w in self._tree.children(self._verb) if self._case(w.index) and w.index not in inside]
         for person, place in zip(tops, tops[1:]):
@@ -417,6 +392,20 @@ class _Quotation:
                 if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")
         return inside
+
+    def _place_at_end(self, inside: FrozenSet[int], phrase: FrozenSet[int]) -> int:
+        """Return the head of a place that is all that is said behind a phrase: "to Bob *at the door*"; 0 if there is
+        none."""
+        behind = frozenset(index for index in inside if index > max(phrase))
+        return next(
+            (
+                child.index
+                for child in self._tree.children(self._verb)
+                if behind and self._tree.subtree(child.index) == behind
+                if child.upos in _NOUNS and self._case(child.index) in _PLACE_PREPOSITIONS
+            ),
+            0,
+        )
 
     def _name_taken_for_a_verb(self, word: Word) -> int:
         """Return the position of "to" before an unknown name that the parser takes for a verb: "what day it is to

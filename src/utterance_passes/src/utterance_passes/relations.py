@@ -5,7 +5,7 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 
 from typing import FrozenSet, Optional
 
-from utterance_passes.clauses import prepositions_of, verb_above
+from utterance_passes.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -39,7 +39,9 @@ def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             continue
         objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
         first = [child for child in objects if child.index < particle.index]
-        second = [child for child in objects if min(tree.subtree(child.index)) == particle.index + 1]
+        # The parser may see that it is no object, but not its preposition: "pick the cup up *off* the floor".
+        bare = [child for child in tree.children(particle.head) if child.deprel == "obl" and not has_case(tree, child)]
+        second = [child for child in (*objects, *bare) if min(tree.subtree(child.index)) == particle.index + 1]
         if first and second:
             edit.make_preposition(particle.index, second[0].index)
             edit.relabel(second[0].index, "obl")
@@ -177,7 +179,8 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     for hearer, joint, person, opening in zip(words, words[1:], words[2:], words[3:]):
         verb = tree.word(hearer.head) if hearer.head else hearer
         is_telling = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
-        is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and person.head != hearer.index
+        is_right = person.head == hearer.index and joint.head == person.index
+        is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and not is_right
         if not (is_telling and is_joined and is_person_or_name(person)) or opening.form.lower() not in _OPENINGS:
             continue
         edit.rehang(person.index, hearer.index, "conj")
@@ -225,6 +228,10 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
             continue
         message = _message_inside(tree, clause)
         others = [child for child in tree.children(verb.index) if child is not clause]
+        if clause.deprel == "ccomp" and any(child.deprel == "ccomp" and child.index > clause.index for child in others):
+            # "Tell Bob, who is in the garden, *that I am waiting*" has one message.
+            edit.rehang(clause.index, hearer.index, "acl:relcl")
+            continue
         if message is None or any(child.deprel in _OF_MESSAGES for child in others):
             continue
         edit.rehang(clause.index, hearer.index, "acl:relcl")

@@ -2,7 +2,15 @@
 
 from typing import List, Set, Tuple
 
-from utterance_passes.clauses import Clause, find_clauses, has_case, may_share_a_verb, shares_a_verb
+from utterance_passes.clauses import (
+    Clause,
+    find_clauses,
+    has_case,
+    is_then,
+    may_share_a_verb,
+    shares_a_verb,
+    verb_above,
+)
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_sharing_a_verb
 from utterance_passes.vocabulary import Vocabulary
@@ -18,6 +26,7 @@ def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     """
     if not may_share_a_verb(tree):
         return tree
+    tree = _with_next_phrases_at_verbs(tree)
     edit = TreeEdit(tree)
     sharing: Set[int] = set()
     for clause in find_clauses(tree, vocabulary):
@@ -36,6 +45,18 @@ def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
                     edit.retag(word.index, "ADV")
                     edit.relabel(word.index, "advmod")
     return mark_sharing_a_verb(edit.tree(), frozenset(sharing))
+
+
+def _with_next_phrases_at_verbs(tree: DependencyTree) -> DependencyTree:
+    """Attach a phrase with "then" to the verb, not to a noun before it: what comes next is no part of a list."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        is_joined = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+        if is_joined and shares_a_verb(tree, word) and any(is_then(child) for child in tree.children(word.index)):
+            verb = verb_above(tree, word)
+            if verb.upos == "VERB" and verb.index < word.index:
+                edit.rehang(word.index, verb.index)
+    return edit.tree()
 
 
 def particle_pairs(tree: DependencyTree, clause: Clause) -> List[Tuple[Word, Word]]:

@@ -15,6 +15,8 @@ from word_classes import word_class
 _ARTICLES = word_class("articles")
 _BEFORE_GERUNDS = word_class("aspectual_verbs") | word_class("verbs_before_gerunds")
 _CONDITIONS = word_class("conditions")
+_DETERMINERS = word_class("determiners_and_possessives")
+_DO = word_class("forms_of_do")
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
@@ -71,7 +73,7 @@ def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocab
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "NOUN" and 2 < position < len(forms) and tags[position - 2] == "INTJ"
+        if tag == "NOUN" and 2 < position < len(forms) and tags[position - 2] in ("INTJ", "DET")
         if forms[position - 2].lower() in _NO and vocabulary.verbs_beginning_with(form.lower())
         if tags[position] in ("ADV", "ADP", "DET", "PRON", "PROPN", "ADJ")
     )
@@ -79,8 +81,8 @@ def verbs_behind_no(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocab
 
 def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a verb of the lexicon between "and" and "to me", or "and" and a pronoun, as a verb that the tagger took for a
-    noun or an adjective: "count all and *report* to me", "look whether all are closed and *close* those that are not".
-    """
+    noun or an adjective: "count all and *report* to me", "look whether all are closed and *close* those that are not";
+    and the last word behind a name: "find Anna, and *wave*"."""
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
@@ -88,7 +90,16 @@ def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Voca
         if form.islower() and vocabulary.verbs_beginning_with(form)
         if (tag == "NOUN" and forms[position].lower() == "to" and "PRON" in tags[position + 1 : position + 2])
         or (forms[position].lower() in _POINTED_AT and tags[position] == "PRON")
+        or _is_last_deed(tags, position)
     )
+
+
+def _is_last_deed(tags: Sequence[str], position: int) -> bool:
+    """Whether a word without an article behind a name or a place, a comma and "and" ends the utterance: "spot Alex, and
+    *wave*" names no second person, "spot Alex in the hall, and *wave*" no second place."""
+    before = tuple(tags[max(0, position - 6) : position - 1])
+    is_behind = before[-3:] == ("PROPN", "PUNCT", "CCONJ") or before == ("ADP", "DET", "NOUN", "PUNCT", "CCONJ")
+    return is_behind and all(tag == "PUNCT" for tag in tags[position:])
 
 
 def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
@@ -104,11 +115,16 @@ def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Re
 
 def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a side at the front, or behind "then", as an adverb that the tagger took for a verb: "*left*, not right" has
-    nobody who left, nor has "turn right, then *left* 45 degrees"."""
+    nobody who left, nor has "turn right, then *left* 45 degrees"; "turn *left* walk on" has no state."""
     found = []
     for position, (form, tag) in enumerate(zip(forms, tags), start=1):
         is_next = position > 1 and forms[position - 2].lower() in _THEN
         behind = tags[position] if position < len(forms) else "PUNCT"
+        is_turned = (
+            tag == "ADJ" and position > 1 and tags[position - 2] == "VERB" and behind in ("VERB", "CCONJ", "PUNCT")
+        )
+        if is_turned and form.lower() in _SIDES:
+            found.append(Retag(position, "ADV", "RB"))
         if tag == "VERB" and form.lower() in _SIDES and (is_next or position == 1):
             if behind == "PUNCT" or (is_next and behind == "NUM"):
                 found.append(Retag(position, "ADV", "RB"))
@@ -131,11 +147,12 @@ def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
 
 
 def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a number behind an article and an adjective as a noun: "give me a low *five*"."""
+    """Tag a number behind an article and an adjective as a noun: "give me a low *five*", "take the right *one*"."""
     return tuple(
         Retag(position, "NOUN", "NN", "Number=Sing")
-        for position, tag in enumerate(tags, start=1)
-        if tag == "NUM" and position > 2 and tags[position - 2] == "ADJ" and forms[position - 3].lower() == "a"
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NUM" and position > 2 and tags[position - 2] == "ADJ"
+        if forms[position - 3].lower() in (_DETERMINERS if form.lower() == "one" else ("a",))
         if position == len(tags) or tags[position] in ("PUNCT", "INTJ", "CCONJ")
     )
 
@@ -297,6 +314,18 @@ def verbs_of_conditions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary
         if forms[position - 3].lower() in _CONDITIONS
         for lemma in [next((base for base in (form[:-1], form[:-2]) if VERB in parts_of_speech(base)), "")]
         if lemma
+    )
+
+
+def verbs_of_questions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word behind "do" and a noun as a verb that the tagger took for a noun, though English knows it only as a
+    verb: "who does the mug *belong* to"."""
+    return tuple(
+        Retag(position, "VERB", "VB", "VerbForm=Inf", form)
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and position > 2 and tags[position - 2] in ("NOUN", "PROPN", "PRON")
+        if any(before.lower() in _DO for before in forms[: position - 2])
+        if parts_of_speech(form) == frozenset([VERB])
     )
 
 

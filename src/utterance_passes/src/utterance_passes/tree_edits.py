@@ -275,6 +275,8 @@ def behind_verb(
             head, deprel = 0, "punct" if word.upos == "PUNCT" else ASIDE
         elif objects is not None and word.index in objects:
             head, deprel = 0, "iobj" if word.index == objects[0] else "obj"
+        elif deprel == "compound:prt":
+            head = 0  # "The lamp on" is "turn the lamp on".
         elif is_top:
             deprel = _relation_of_top(tree, word, kept)
         words.append(

@@ -5,7 +5,7 @@ from typing import List, Optional, Sequence, Tuple
 
 from utterance_passes.clauses import Clause
 from utterance_passes.tree import DependencyTree
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.vocabulary import Speech, Vocabulary
 
 #: Relations of the other words of a verb: "turn the light *on*", "turn left *to* *face* the door".
 _PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp", "amod"])
@@ -61,3 +61,31 @@ def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:
         return head is not None
     is_of_a_clause = tree.word(index).deprel == "case" and head.deprel in ("ccomp", "xcomp", "advcl")
     return head.head == clause.verb and not is_of_a_clause
+
+
+@dataclass(frozen=True)
+class Saying:
+    """A verb of saying: its clause, its last word, and how it names its addressee."""
+
+    clause: Clause
+    last: int
+    speech: Speech
+
+
+def has_verb_of_saying(tree: DependencyTree, vocabulary: Vocabulary) -> bool:
+    """Whether any word may be a verb of saying; most commands have none, and then their clauses are not needed."""
+    return any(
+        vocabulary.speech_of(verb) is not None
+        for word in tree.words
+        for spelling in {word.form.lower(), word.lemma.lower()}
+        for verb in vocabulary.verbs_beginning_with(spelling)
+    )
+
+
+def saying_of(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[Saying]:
+    """Return the verb of saying of a clause; None if it has none."""
+    for match in match_verbs(tree, clause, vocabulary):
+        speech = vocabulary.speech_of(match.verb)
+        if speech is not None:
+            return Saying(clause, max(match.positions), speech)
+    return None

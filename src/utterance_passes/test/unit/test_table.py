@@ -31,24 +31,26 @@ from utterance_passes.utterance_pass import (
 )
 
 ORDER = (
-    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units minus_sign "
-    "negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions blanks ends typos "
-    "less_precise fronted_times surroundings run_ons command_verb verbs_behind_commas verbs_behind_no "
-    "verbs_behind_and signs no_one sides_alone nouns_in_lists numbers_as_nouns numbered_noun adverbs "
-    "prepositions_as_verbs gerunds_as_nouns names_as_verbs nouns_behind_verbs contracted_verbs verbs_of_conditions "
-    "resulting_states one_object particle_predicates verb_compounds relative_subjects infinitive_conjuncts reroot "
-    "objection restarts corrections emphatic_do places_of_turns particles_at_verbs manners_joined conditions_joined "
-    "remarks_joined copulas_at_question_words prepositions_of_nouns words_said phrases_in_a_row places_of_what_fails "
+    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
+    "minus_sign negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions "
+    "blanks ends typos less_precise fronted_times surroundings run_ons command_verb verbs_behind_commas "
+    "verbs_behind_no verbs_behind_and signs no_one sides_alone nouns_in_lists numbers_as_nouns numbered_noun "
+    "adverbs prepositions_as_verbs gerunds_as_nouns names_as_verbs nouns_behind_verbs contracted_verbs "
+    "verbs_of_conditions verbs_of_questions resulting_states one_object particle_predicates verb_compounds "
+    "relative_subjects infinitive_conjuncts reroot objection restarts corrections emphatic_do places_of_turns "
+    "particles_at_verbs manners_joined conditions_joined deeds_joined deadlines_joined remarks_joined "
+    "copulas_at_question_words prepositions_of_nouns words_said phrases_in_a_row places_of_what_fails "
     "places_of_what_there_is places_over_here shared_nouns clothes_at_persons modals_as_nouns as_well_as not_only "
     "bounded_counts commands_behind_statements wished_results remarks prepositions_at_names asked_clauses "
-    "told_predicates hearers_joined deeds_of_hearers messages_behind_clauses goals_behind_clauses "
-    "predicates_as_clauses hands_at_verbs there_at_things phrases_of_what_is_asked upside_down places_in_a_row "
-    "wholes_at_pronouns purposes_of_things exceptions meant_instead things_named_again ways_behind_particles "
-    "avoided_places awaited_deeds sides_in_order items_in_order contrasts particles_on_the_way ahead_of "
-    "speeds_together superlatives_at_nouns places_of_devices places_of_all measured_turns sides_apart compass_apart "
-    "around_apart degrees objects_of_vocatives names_behind_nouns participles persons_told things_added "
-    "objects_behind inverted_places places_described places_shown places_told durations_at_verbs aspectual_verbs "
-    "light_verbs quotations comparisons formulas reasons argument_clusters shared_verbs times"
+    "told_predicates words_before_nouns hearers_joined deeds_of_hearers messages_behind_clauses "
+    "goals_behind_clauses predicates_as_clauses hands_at_verbs there_at_things phrases_of_what_is_asked upside_down "
+    "places_in_a_row wholes_at_pronouns purposes_of_things exceptions meant_instead things_named_again "
+    "ways_behind_particles avoided_places awaited_deeds sides_in_order items_in_order contrasts "
+    "particles_on_the_way ahead_of speeds_together superlatives_at_nouns places_of_devices places_of_all "
+    "measured_turns sides_apart compass_apart around_apart degrees objects_of_vocatives names_behind_nouns "
+    "participles persons_told things_added objects_behind inverted_places places_described places_shown places_told "
+    "durations_at_verbs aspectual_verbs light_verbs quotations comparisons formulas reasons argument_clusters "
+    "shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 
@@ -156,7 +158,7 @@ RUNS = {
 def test_no_pass_calls_another() -> None:
     names = {name for _, name in RUNS}
     for path in PACKAGE.glob("*.py"):
-        if path.name not in ("table.py", "text_table.py", "clause_table.py", "attaching_table.py", "joined_table.py"):
+        if not path.name.endswith("table.py"):
             tree = ast.parse(path.read_text(encoding="utf-8"))
             used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
             used |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
