@@ -23,6 +23,8 @@ _ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
 _INDEFINITES = word_class("indefinites")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
+_ORDINALS = word_class("ordinals_in_order") | word_class("last_ordinals")
+_SIDES_OF_A_ROW = word_class("sides_of_a_row")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
@@ -68,7 +70,8 @@ def tells_which(tree: DependencyTree, index: int) -> bool:
     if word.deprel != "nmod":
         return False
     if prepositions == ["from"]:
-        return word.form.lower() in _LEFT_AND_RIGHT
+        is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(word.head))
+        return word.form.lower() in (_SIDES_OF_A_ROW if is_counted else _LEFT_AND_RIGHT)
     if prepositions == ["to"]:
         # "Bring me the cup *to the left of the plate*"; "put the cup to the left of the plate" says where to.
         has_receiver = any(child.deprel == "iobj" for child in tree.children(tree.word(word.head).head))

@@ -183,11 +183,17 @@ def _settled(
             now.write("unknown_thing", acts, f"asked. {' '.join(unseen)}")
         else:
             now.write("confirm", acts, "asked. The frame wants a yes.")
-        acts = acts if plan is None else plan.label
+        acts = acts if plan is None else _in_words_of(plan, sentence)
         asked = Question("CONFIRM", " ".join([*wrong, *unseen, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
+
+
+def _in_words_of(plan: PlanPart, sentence: Sentence) -> str:
+    """Return a plan as it was said, which tells the order and the conditions; its label if it was said in two parts."""
+    said, text = plan.label.lower().split(), sentence.tree.text.strip(" .!?")
+    return text if all(word.strip(",") in text.lower() for word in said) else plan.label
 
 
 def _beside(readings: Tuple[Reading, ...], before: Reading, now: Now) -> Tuple[Reading, ...]:

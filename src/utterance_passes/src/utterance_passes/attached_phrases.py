@@ -23,7 +23,7 @@ _ONES = word_class("noun_standins")
 #: Relations of "one" to the thing, or to its verb.
 _OF_ITEMS = frozenset(["conj", "parataxis"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
-_ORDINALS = word_class("ordinals")
+_ORDINALS = word_class("ordinals_in_order") | word_class("last_ordinals")
 _OF_WAYS = frozenset(["down", "up"])
 _PERSONS = word_class("pronouns_of_persons")
 _POINTING = word_class("demonstrative_determiners")

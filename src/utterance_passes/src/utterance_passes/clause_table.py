@@ -171,6 +171,26 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         relations.with_messages_behind_clauses,
     ),
     TreePass(
+        "requests_behind_clauses",
+        "Attach what somebody is asked for to the verb, not to the description of the person.",
+        Example(
+            "ask|VERB|0|root Bob|PROPN|1|iobj sitting|VERB|2|acl there|ADV|3|advmod for|ADP|6|case cups|NOUN|3|obl",
+            ("cups: obl(sitting) -> obl(ask)",),
+        ),
+        Stage.FRAMER,
+        relations.with_requests_behind_clauses,
+    ),
+    TreePass(
+        "things_named_by_clauses",
+        'Make "what" the thing that a clause describes: "bring me what I left there".',
+        Example(
+            "take|VERB|0|root what|PRON|4|obj|what|WP you|PRON|4|nsubj need|VERB|1|ccomp",
+            ("what: obj(need) -> obj(take)", "need: ccomp(take) -> acl:relcl(what)"),
+        ),
+        Stage.FRAMER,
+        relations.with_things_named_by_clauses,
+    ),
+    TreePass(
         "goals_behind_clauses",
         "Attach the goal behind the description of a thing to the verb.",
         Example(

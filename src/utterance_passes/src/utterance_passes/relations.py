@@ -12,6 +12,7 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary, is_verb
 from word_classes import word_class
 
+_HANDLING = word_class("verbs_of_handling")
 _ASKING = word_class("asking_verbs")
 #: Tags of a verb that may be a command.
 _BARE_TAGS = frozenset(["VB", "VBP"])
@@ -302,6 +303,37 @@ def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
         if is_clause and max(inside) == end and opening in _OPENINGS and first > clause.index:
             return word
     return None
+
+
+def with_requests_behind_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach what somebody is asked for to the verb, not to the description of the person: "ask the woman sitting there
+    *for her name*"."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        hearer = tree.word(clause.head) if clause.head and clause.deprel.startswith("acl") else clause
+        verb = tree.word(hearer.head) if hearer is not clause and hearer.head else hearer
+        if verb.lemma.lower() not in _ASKING or hearer.deprel not in ("obj", "iobj"):
+            continue
+        asked = [child for child in tree.children(clause.index) if prepositions_of(tree, child.index) == ["for"]]
+        is_all = not any(prepositions_of(tree, child.index) == ["for"] for child in tree.children(verb.index))
+        if asked and is_all and max(tree.subtree(asked[-1].index)) == max(tree.subtree(clause.index)):
+            edit.rehang(asked[-1].index, verb.index, "obl")
+    return edit.tree()
+
+
+def with_things_named_by_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "what" the thing that a clause describes: "bring me *what* I left there" asks nothing."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        verb = tree.word(clause.head) if clause.head and clause.deprel == "ccomp" else clause
+        what = tree.word(_first_word(tree, clause))
+        if verb is clause or verb.lemma.lower() not in _HANDLING or what.form.lower() != "what" or what.xpos != "WP":
+            continue
+        has_object = any(child.deprel == "obj" for child in tree.children(verb.index))
+        if what.head == clause.index and what.index > verb.index and not has_object:
+            edit.rehang(what.index, verb.index, "obj")
+            edit.rehang(clause.index, what.index, "acl:relcl")
+    return edit.tree()
 
 
 def with_goals_behind_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -160,4 +160,11 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Stage.PARSER,
         tagging.resulting_states,
     ),
+    TagPass(
+        "properties_of_pronouns",
+        'Tag a property behind "anything" as an adjective that the tagger took for a noun.',
+        Example("get|VERB anything|PRON sweet|NOUN", ("3 ADJ JJ",), Verbs(frozenset(["get"]))),
+        Stage.PARSER,
+        tagging.properties_of_pronouns,
+    ),
 )

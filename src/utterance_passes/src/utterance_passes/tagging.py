@@ -4,7 +4,7 @@ import re
 from typing import Optional, Sequence, Tuple
 
 from semantic_types import Fit, shipped_types
-from semantic_types.parts_of_speech import ADVERB, NOUN, VERB, parts_of_speech
+from semantic_types.parts_of_speech import ADJECTIVE, ADVERB, NOUN, VERB, parts_of_speech
 from utterance_passes.amounts import SIGNS
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
@@ -28,6 +28,7 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 _CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
 _JOINTS = frozenset(["and", "or"])
+_INDEFINITE = word_class("indefinite_things")
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _RESULTS = word_class("resulting_states")
@@ -340,6 +341,16 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         if position == len(forms)
         or tags[position] in ("PUNCT", "CCONJ", "INTJ")
         or (form.lower() in _CHANGED and tags[position] == "ADP")
+    )
+
+
+def properties_of_pronouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a property behind "anything" as an adjective that the tagger took for a noun: "get me anything *sweet*"."""
+    return tuple(
+        Retag(position, "ADJ", "JJ", "Degree=Pos")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag == "NOUN" and position > 1 and forms[position - 2].lower() in _INDEFINITE
+        if ADJECTIVE in parts_of_speech(form) and not (position < len(forms) and tags[position] == "NOUN")
     )
 
 
