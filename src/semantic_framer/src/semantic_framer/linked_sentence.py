@@ -28,8 +28,7 @@ from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.clauses import find_clauses
-from utterance_passes.quotations import QUOTATION_MARKS
-from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree import ASIDE, QUOTATION_MARKS, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 from word_classes import word_class
 

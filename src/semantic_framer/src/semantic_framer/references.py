@@ -41,6 +41,7 @@ _DEFINITE = word_class("determiners_and_possessives") - word_class("indefinite_a
 _QUESTION_WORDS = word_class("question_words")
 _SAME = frozenset(["the same", "the same thing"])
 _SIDES = word_class("left_and_right")
+_PARTS = word_class("sides") - _SIDES
 _WHOLE = word_class("determiners_of_all")
 _PLURAL = word_class("plural_pronouns")
 #: FrameNet's names of elements for how something is.
@@ -73,7 +74,8 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
             part = part_of(element.framenet) if element else ""
             # "What is on the table?" "Put it all on the shelf.": not the table.
-            is_of_several = bool(amount) or value.text.lower() != word
+            # "The front of it" is a part of a place, too.
+            is_of_several = value.text.lower() != word and amount not in _PARTS
             meant = _meant_by(word, things, None if is_of_several else place, accepted, part, known.types)
             if meant is not None:
                 text = part_of_text(amount, meant.text) if amount else meant.text

@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
+from semantic_framer.asking_for_nothing import asks_for_nothing
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import CAREFUL, QUESTION, Refusal, left_over_refusal, not_then
 from semantic_framer.question_extent import is_said_alone, up_to_its_end
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
-from semantic_framer.verdicts import Case, asks_for_nothing
+from semantic_framer.verdicts import Case
 from utterance_passes.clauses import Clause
 from word_classes import word_class
 

@@ -5,13 +5,10 @@ from typing import Callable, Iterable, Optional, Tuple
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer import plausibility
+from semantic_framer.asking_for_nothing import asks_for_nothing
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import (
-    QUESTION,
-    REPORT,
-    TALK,
-    WISH,
     LeftOverWords,
     Policy,
     Refusal,
@@ -32,14 +29,6 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _RENEWING = word_class("renewing_conjunctions")
-_REPLIES = {
-    QUESTION: 'I do not know how to answer "{said}".',
-    REPORT: '"{said}" does not ask me to do anything.',
-    WISH: '"{said}" is something that you want to do. Tell me what I should do.',
-    TALK: "I hear you. There is nothing for me to do.",
-}
-#: Replies to talk, by the name of the rule that classified it as talk.
-_REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello."}
 
 
 @dataclass(frozen=True)
@@ -163,18 +152,6 @@ class ReadingVerdict:
     refuse: Callable[[ClauseCase], Optional[Refusal]] = lambda case: None
 
 
-def asks_for_nothing(kind: KindVerdict, said: str) -> Refusal:
-    """Return the refusal of an utterance that only asks or tells something.
-
-    Args:
-        kind: its kind
-        said: its words
-    """
-    code = kind.kind.name
-    reply = _REPLIES_TO_TALK.get(kind.reason, _REPLIES[code])
-    return Refusal(code, reply.format(said=said))
-
-
 # --- clauses
 
 
@@ -192,9 +169,17 @@ def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
     return not_then(case.sentence, case.clause.condition_positions)
 
 
+def _is_of_somebody_else(case: ClauseCase) -> bool:
+    """Whether a clause has a described subject, and so is no command to a robot of that name: "the baby is crying"."""
+    subject = case.clause.subject
+    return any(child.deprel in ("det", "nmod:poss") for child in case.sentence.children(subject)) if subject else False
+
+
 def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
+    if case.kind.kind is UtteranceKind.REPORT and _is_of_somebody_else(case):
+        return asks_for_nothing(case.kind, case.said)
     # A verb of English is no typo of another one.
     is_verb = VERB in parts_of_speech(case.clause.lemma)
     near = () if is_verb else case.of.known.lexicon.nearest_verbs(case.clause.lemma)

@@ -11,13 +11,12 @@ from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.persons import is_person, is_person_or_name
 from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
-from utterance_passes.tree import QUOTED, DependencyTree, Word
+from utterance_passes.tree import QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
-QUOTATION_MARKS = ('"', "“", "”", "«", "»", "``", "''")
 _AFTER_NO = word_class("after_no")
 _CONDITIONS = word_class("conditions")
 _NOUNS = frozenset(["NOUN", "PROPN"])

@@ -1,4 +1,4 @@
-"""Finds commands in a row without a mark between them: "open the cupboard close the drawer".
+"""Finds commands in a row: "open the cupboard close the drawer", "I am back. Open the door".
 
 Speech recognisers give no punctuation, and a parser trained on text does not take the second verb for a verb. So the
 utterance is cut where a known verb with its own object follows a complete phrase, and each part is parsed alone.
@@ -7,6 +7,7 @@ utterance is cut where a known verb with its own object follows a complete phras
 from typing import Sequence, Tuple
 
 from spoken_quantities import find_number
+from utterance_passes.tree import QUOTATION_MARKS
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -18,6 +19,7 @@ _NEVER_LAST = word_class("never_last")
 _OBJECTS = word_class("object_beginnings")
 _OBJECT_PRONOUNS = word_class("object_pronouns")
 _PARTICLES = word_class("verb_particles")
+_SENTENCE_ENDS = frozenset([".", "!", "?"])
 _SAYING = word_class("saying_verbs")
 _SUBJECTS = word_class("clause_subjects")
 _WITH_A_VERB = word_class("verbs_with_verbs")
@@ -62,6 +64,35 @@ def run_ons(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
             and _is_complete(said[:first], tags[:first])
         ):
             found.append(first + 1)
+    return tuple(found)
+
+
+def sentences(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[int, ...]:
+    """Find the first word of each further sentence that is a command: "I think I lost my keys. *Look* for them".
+
+    The parser would attach some of them to a verb of the sentence before. What somebody is to be told may have several
+    sentences.
+
+    Args:
+        forms: words of the utterance
+        tags: their universal parts of speech
+        vocabulary: known verbs
+    Returns:
+        positions of these words, from 1
+    """
+    said = [form.lower() for form in forms]
+    if _SAYING & frozenset(said) or QUOTATION_MARKS & frozenset(forms):
+        return ()
+    found = []
+    for position in range(2, len(said)):
+        first = position
+        while first < len(said) and said[first] in _LEAD_IN:
+            first += 1
+        if forms[position - 1] in _SENTENCE_ENDS and tags[position - 1] == "PUNCT" and first < len(said):
+            is_asked = said[first] in _MODALS and said[first + 1 : first + 2] == ["you"]
+            is_verb = tags[first] != "AUX" and bool(vocabulary.verbs_beginning_with(said[first]))
+            if is_asked or is_verb:
+                found.append(position + 1)
     return tuple(found)
 
 

@@ -59,6 +59,13 @@ SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
 #: Find the places where the parser cuts a text, to parse each part alone.
 CUT_PASSES: Tuple[CutPass, ...] = (
     CutPass(
+        "sentences",
+        "Separate a command from the sentence before it.",
+        Example("I|PRON wait|VERB .|PUNCT Open|VERB it|PRON", ("4",), Verbs(frozenset(["open"]))),
+        Stage.PARSER,
+        run_ons.sentences,
+    ),
+    CutPass(
         "run_ons",
         "Separate commands that have no mark between them.",
         Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),

@@ -12,6 +12,7 @@ ASIDE = "discourse:aside"
 QUOTED = "flat:quoted"
 #: Relation to the correction for the words that the speaker took back, and for the editing term.
 ABANDONED = "reparandum"
+QUOTATION_MARKS = frozenset(['"', "“", "”", "«", "»", "``", "''"])
 #: No blank stands before these.
 _CLOSE = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
 

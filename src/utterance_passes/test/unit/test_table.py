@@ -33,7 +33,7 @@ from utterance_passes.utterance_pass import (
 ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
     "minus_sign negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions "
-    "blanks ends typos less_precise fronted_times surroundings run_ons command_verb verbs_behind_commas "
+    "blanks ends typos less_precise fronted_times surroundings sentences run_ons command_verb verbs_behind_commas "
     "verbs_behind_no verbs_behind_and signs no_one sides_alone nouns_in_lists numbers_as_nouns numbered_noun "
     "adverbs prepositions_as_verbs gerunds_as_nouns names_as_verbs nouns_behind_verbs contracted_verbs "
     "verbs_of_conditions verbs_of_questions resulting_states properties_of_pronouns one_object particle_predicates "
