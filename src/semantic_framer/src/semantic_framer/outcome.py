@@ -21,6 +21,14 @@ WISH = "WISH"
 TALK = "TALK"
 #: The person answers no or takes the sentence back; this does not concern anything that runs.
 DECLINED = "DECLINED"
+_REPLIES = {
+    QUESTION: 'I do not know how to answer "{said}".',
+    REPORT: '"{said}" does not ask me to do anything.',
+    WISH: '"{said}" is something that you want to do. Tell me what I should do.',
+    TALK: "I hear you. There is nothing for me to do.",
+}
+#: Replies to talk, by the name of the rule that classified it as talk.
+_REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello."}
 
 
 class LeftOverWords(Enum):
@@ -140,3 +148,15 @@ def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
     """Return the refusal of a command for another time or under a condition."""
     said = sentence.text(sorted(positions)).strip(" ,")
     return Refusal("CONDITION", f'I do not understand "{said}" as a time or a condition, so I do nothing.')
+
+
+def asks_for_nothing(code: str, rule: str, said: str) -> Refusal:
+    """Return the refusal of an utterance that only asks or tells something.
+
+    Args:
+        code: its kind, a code of refusals
+        rule: the name of the rule that decided its kind
+        said: its words
+    """
+    reply = _REPLIES_TO_TALK.get(rule, _REPLIES[code])
+    return Refusal(code, reply.format(said=said))

@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
-from semantic_framer.asking_for_nothing import asks_for_nothing
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import CAREFUL, QUESTION, Refusal, left_over_refusal, not_then
+from semantic_framer.outcome import CAREFUL, QUESTION, Refusal, asks_for_nothing, left_over_refusal, not_then
 from semantic_framer.question_extent import is_said_alone, up_to_its_end
 from semantic_framer.sentence import Sentence
-from semantic_framer.utterance_kind import kind_without_clause
+from semantic_framer.utterance_kind import KindVerdict, kind_without_clause
 from semantic_framer.verdicts import Case
 from utterance_passes.clauses import Clause
 from word_classes import word_class
@@ -28,21 +27,25 @@ class SentenceVerdict:
     refuse: Callable[[Case], Optional[Refusal]]
 
 
+def _nothing_asked(kind: KindVerdict, said: str) -> Refusal:
+    return asks_for_nothing(kind.kind.name, kind.reason, said)
+
+
 def _asks_for_nothing(case: Case) -> Optional[Refusal]:
     """Refuse a sentence that only asks or tells something, unless a unit may be about it: "the mug is on the table"."""
     said = case.sentence.tree.text.strip(_MARKS)
     if not case.clauses:
         kind = kind_without_clause(case.sentence.tree)
-        return asks_for_nothing(kind, said) if kind.kind in (UtteranceKind.TALK, UtteranceKind.QUESTION) else None
+        return _nothing_asked(kind, said) if kind.kind in (UtteranceKind.TALK, UtteranceKind.QUESTION) else None
     for clause, kind in zip(case.clauses, case.kinds):
         if kind.kind is UtteranceKind.QUESTION:
             if case.acts or not is_said_alone(case.sentence):
                 question = case.sentence.text(up_to_its_end(case.sentence, sorted(clause.positions)))
                 return Refusal(QUESTION, f'Please ask "{question}" alone: I answer one question at a time.')
-            return asks_for_nothing(kind, case.text_of(clause) if case.clauses[1:] else said)
+            return _nothing_asked(kind, case.text_of(clause) if case.clauses[1:] else said)
     if any(kind.is_read for kind in case.kinds) or any(clause.is_negated for clause in case.clauses):
         return None
-    return asks_for_nothing(case.kinds[0], said)
+    return _nothing_asked(case.kinds[0], said)
 
 
 def _time(case: Case) -> Optional[Refusal]:

@@ -5,13 +5,14 @@ from typing import Callable, Iterable, Optional, Tuple
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer import plausibility
-from semantic_framer.asking_for_nothing import asks_for_nothing
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import (
+    REPORT,
     LeftOverWords,
     Policy,
     Refusal,
+    asks_for_nothing,
     left_over_refusal,
     not_then,
     not_to_be_done,
@@ -179,7 +180,7 @@ def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
     if case.kind.kind is UtteranceKind.REPORT and _is_of_somebody_else(case):
-        return asks_for_nothing(case.kind, case.said)
+        return asks_for_nothing(REPORT, case.kind.reason, case.said)
     # A verb of English is no typo of another one.
     is_verb = VERB in parts_of_speech(case.clause.lemma)
     near = () if is_verb else case.of.known.lexicon.nearest_verbs(case.clause.lemma)
@@ -326,7 +327,7 @@ def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
 
 
 def _report(case: ClauseCase) -> Optional[Refusal]:
-    return asks_for_nothing(case.kind, case.said) if case.kind.is_fact else None
+    return asks_for_nothing(REPORT, case.kind.reason, case.said) if case.kind.is_fact else None
 
 
 def _is_never_dropped(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
