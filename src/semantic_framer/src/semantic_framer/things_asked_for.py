@@ -1,7 +1,8 @@
-"""Reads a thing and "please" as the command to bring it: "coffee please", "two napkins, please"."""
+"""Reads commands that are said without their verb: a thing and "please" is to be brought, "two napkins, please"; a way
+and its measure is to be gone, "forward two metres", "left 90 degrees"."""
 
 from dataclasses import replace
-from typing import Optional, Sequence
+from typing import FrozenSet, Optional, Sequence
 
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import fragment_of
@@ -11,11 +12,14 @@ from semantic_framer.sentence import Sentence
 from semantic_types import Fit
 from typed_arguments.positions import with_moved_positions
 from utterance_passes.clauses import Clause
-from utterance_passes.tree_edits import behind_verb
+from utterance_passes.measures import find_amounts
+from utterance_passes.tree_edits import TreeEdit, behind_verb
 from word_classes import word_class
 
 #: What is done with a thing for which somebody asks.
 _VERB = "bring"
+#: What is done with a direction and a measure, by the quantity that is measured.
+_VERBS_OF_WAYS = {"length": "move", "angle": "turn"}
 _PLEASE = frozenset(["please"])
 _ONE = word_class("indefinite_articles") | frozenset(["some"])
 #: A thing without an article: "lights, please" does not ask for lights to be brought.
@@ -26,21 +30,46 @@ _FIXED = ("Vehicle", "Portal", "Building", "Sentient", "Location")
 
 
 def asked_for(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Optional[Sentence]:
-    """Return the command that an utterance without a verb is short for; None if it asks for nothing to be brought.
+    """Return the command that an utterance without a verb is short for; None if it is short for none.
 
     Args:
         sentence: the utterance
         clauses: its clauses
         known: lexical units and frames
     """
-    tree = sentence.tree
-    is_polite = any(word.form.lower() in _PLEASE for word in tree.words)
-    if clauses or not is_polite or not known.verbs_beginning_with(_VERB):
-        return None
-    fragment = fragment_of(sentence, clauses, known)
+    fragment = fragment_of(sentence, clauses, known) if not clauses else None
     if fragment is None or fragment.kind is not FragmentKind.ELEMENTS or fragment.is_more:
         return None
+    tree = sentence.tree
     kept = frozenset(index for index in fragment.positions if tree.word(index).form.lower() not in _PLEASE)
+    is_polite = any(word.form.lower() in _PLEASE for word in tree.words)
+    return _way(sentence, kept, known) or (_thing(sentence, kept, known) if is_polite else None)
+
+
+def _way(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Optional[Sentence]:
+    """Return the command to go a way: "*move* two metres forward"; None if more is said than a direction and a measure
+    of it."""
+    tree = sentence.tree
+    amounts = find_amounts(tree, sorted(kept))
+    verb = _VERBS_OF_WAYS.get(amounts[0].quantity, "") if len(amounts) == 1 and amounts[0].unit_position else ""
+    others = sorted(kept - frozenset(amounts[0].positions)) if verb and not amounts[0].is_doubtful else []
+    if len(others) != 1 or not known.verbs_beginning_with(verb):
+        return None
+    direction, length = others[0], len(verb.split())
+    if not any(tree.word(direction).form.lower() in words for words in known.lists_of(verb)):
+        return None
+    edit = TreeEdit(behind_verb(tree, [verb], kept))
+    edit.rehang(direction + length, length, "advmod")
+    edit.retag(direction + length, "ADV", "RB")
+    edit.rehang(amounts[0].unit_position + length, length, "obl:unmarked")
+    return Sentence(edit.tree(), known.types)
+
+
+def _thing(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Optional[Sentence]:
+    """Return the command to bring a thing; None if something else is said, or the thing is none that is brought."""
+    tree = sentence.tree
+    if not known.verbs_beginning_with(_VERB):
+        return None
     heads = [index for index in sorted(kept) if tree.word(index).head not in kept]
     if len(heads) != 1 or tree.word(heads[0]).upos not in ("NOUN", "PROPN") or not kept <= tree.subtree(heads[0]):
         return None

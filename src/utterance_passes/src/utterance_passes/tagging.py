@@ -37,6 +37,7 @@ _LETTER = re.compile("[A-Z][0-9]*")
 _NO = word_class("objections")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
 _SIDES = word_class("left_and_right")
+_WAYS = word_class("ways_to_go")
 _THEN = word_class("adverbs_of_order")
 _VERB_ENDINGS = ("ing", "ed")
 #: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
@@ -114,7 +115,7 @@ def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Re
     )
 
 
-def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+def sides_alone(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a side at the front, or behind "then", as an adverb that the tagger took for a verb: "*left*, not right" has
     nobody who left, nor has "turn right, then *left* 45 degrees"; "turn *left* walk on" has no state."""
     found = []
@@ -124,7 +125,11 @@ def sides_alone(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tup
         is_turned = (
             tag == "ADJ" and position > 1 and tags[position - 2] == "VERB" and behind in ("VERB", "CCONJ", "PUNCT")
         )
-        if is_turned and form.lower() in _SIDES:
+        # "Forward two metres" forwards nothing.
+        is_gone = (
+            tag == "VERB" and position == 1 and behind == "NUM" and not vocabulary.verbs_beginning_with(form.lower())
+        )
+        if (is_turned and form.lower() in _SIDES) or (is_gone and form.lower() in _WAYS):
             found.append(Retag(position, "ADV", "RB"))
         if tag == "VERB" and form.lower() in _SIDES and (is_next or position == 1):
             if behind == "PUNCT" or (is_next and behind == "NUM"):
