@@ -33,8 +33,8 @@ _STATES = word_class("state_particles")
 _OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
 _CLITIC_BE = frozenset(["'s", "’s"])
 _NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_class("negations")
-#: Universal tags of words that are in no noun phrase, and of words that may end one.
 _FORMS_OF_BE = word_class("forms_of_be")
+#: Universal tags of words that are in no noun phrase, and of words that may end one.
 _NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])

@@ -55,13 +55,14 @@ def _way(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Opti
     others = sorted(kept - frozenset(amounts[0].positions)) if verb and not amounts[0].is_doubtful else []
     if len(others) != 1 or not known.verbs_beginning_with(verb):
         return None
-    direction, length = others[0], len(verb.split())
+    direction = others[0]
     if not any(tree.word(direction).form.lower() in words for words in known.lists_of(verb)):
         return None
+    # The verb is the first word now.
     edit = TreeEdit(behind_verb(tree, [verb], kept))
-    edit.rehang(direction + length, length, "advmod")
-    edit.retag(direction + length, "ADV", "RB")
-    edit.rehang(amounts[0].unit_position + length, length, "obl:unmarked")
+    edit.rehang(direction + 1, 1, "advmod")
+    edit.retag(direction + 1, "ADV", "RB")
+    edit.rehang(amounts[0].unit_position + 1, 1, "obl:unmarked")
     return Sentence(edit.tree(), known.types)
 
 

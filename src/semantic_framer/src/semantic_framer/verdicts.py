@@ -327,7 +327,7 @@ def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
 
 
 def _report(case: ClauseCase) -> Optional[Refusal]:
-    return asks_for_nothing(REPORT, case.kind.reason, case.said) if case.kind.is_fact else None
+    return asks_for_nothing(case.kind.kind.name, case.kind.reason, case.said) if case.kind.is_fact else None
 
 
 def _is_never_dropped(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:

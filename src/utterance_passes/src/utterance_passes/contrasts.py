@@ -127,7 +127,8 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
         return False
     if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
         return True
-    is_joined = word.deprel == "conj" or _is_other_side(word)
+    # Beside the verb, as an adverb, stands nothing but a side: "turn left and not *right*".
+    is_joined = word.deprel in ("conj", "advmod")
     if forms[0] in ("and", "but") and forms[1:2] and forms[1] in _NOT and is_joined:
         thing = _wanted_instead(tree, word, said[0])
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
@@ -137,11 +138,6 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
     return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
-
-
-def _is_other_side(word: Word) -> bool:
-    """Whether a side stands as beside the verb as the side before it: "turn left and not *right*"."""
-    return word.deprel == "advmod" and word.form.lower() in _OPPOSITE_SIDES
 
 
 def _wanted_instead(tree: DependencyTree, word: Word, first: Word) -> Word:

@@ -227,8 +227,7 @@ def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:
 def _asks_for_assent(tree: DependencyTree, side: Word) -> bool:
     """Whether "right" is no side: "turn left, *right*?"."""
     around = [word.form for word in tree.words[side.index - 2 : side.index + 1]]
-    is_last = [around[0], *around[2:]] == [",", "?"] if len(around) == 3 else False
-    return is_last and side.form.lower() == "right" and side.deprel == "advmod"
+    return around[:1] + around[2:] == [",", "?"] and side.form.lower() == "right" and side.deprel == "advmod"
 
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -109,7 +109,7 @@ def _number_in_name(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
     return tuple(
         number
         for number in tree.children(person.index)
-        if number.deprel == "flat" and number.upos == "NUM" and number.form.islower() and number.form.isalpha()
+        if _is_number_in_name(number)
         if person.index == person.head + 1 and number.index == person.index + 1 and is_name_of_person(person)
     )
 
@@ -118,9 +118,14 @@ def _number_behind_name(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:
     """Return the number of the things right behind it, which the parser takes for a part of a name: "and Paul *two*
     bananas"."""
     before = tree.word(max(1, thing.index - 1))
-    is_in_name = before.upos == "NUM" and before.deprel == "flat" and before.form.islower() and before.form.isalpha()
-    is_name = is_in_name and before.head == before.index - 1 and is_name_of_person(tree.word(before.head))
+    is_behind = _is_number_in_name(before) and before.head == before.index - 1
+    is_name = is_behind and is_name_of_person(tree.word(before.head))
     return (before,) if is_name and thing.upos == "NOUN" else ()
+
+
+def _is_number_in_name(word: Word) -> bool:
+    """Whether a number in small letters is a part of a name to the parser."""
+    return word.deprel == "flat" and word.upos == "NUM" and word.form.islower() and word.form.isalpha()
 
 
 def _unmarked_owner(tree: DependencyTree, thing: Word) -> Tuple[Word, ...]:

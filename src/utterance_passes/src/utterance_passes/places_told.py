@@ -29,11 +29,6 @@ _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
 
 
-def _is_clause_at(verb: Word, where: Word) -> bool:
-    """Whether "where" belongs to a verb: right behind it, it cannot be a remark."""
-    return where.deprel in _OF_STATEMENTS or (where.deprel == "parataxis" and where.index == verb.index + 1)
-
-
 def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Replace "you will find her at the desk" beside a command by "she is at the desk".
 
@@ -105,6 +100,11 @@ def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not cases and verb.lemma.lower() in _GOING:
             edit.respell(where.index, "to")
     return edit.tree()
+
+
+def _is_clause_at(verb: Word, where: Word) -> bool:
+    """Whether "where" belongs to a verb: right behind it, it cannot be a remark."""
+    return where.deprel in _OF_STATEMENTS or (where.deprel == "parataxis" and where.index == verb.index + 1)
 
 
 def with_places_described(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:

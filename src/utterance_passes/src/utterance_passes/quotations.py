@@ -44,8 +44,9 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
             (
                 saying
                 for clause in clauses
+                if clause.verb > behind
                 for saying in [saying_of(tree, clause, vocabulary)]
-                if saying is not None and clause.verb > behind
+                if saying is not None
                 # "Tell Anna the time and Ben the weather" tells two persons something each.
                 if not tells_several(tree, clause, saying.speech)
             ),
@@ -370,14 +371,15 @@ class _Quotation:
                 self._names.add(index)
                 cases = [name]
             phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
-            is_end = (name or self._case(index) == "to") and max(phrase & inside) == max(inside) and phrase < inside
+            is_to = bool(name) or self._case(index) == "to"
+            is_end = max(phrase & inside) == max(inside) and phrase < inside
             is_somebody = name or word.form.lower() in _PERSONS_TOLD or is_person_or_name(word)
             has_subject = any(
                 self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
                 for i in inside - phrase
             )
-            behind = self._place_at_end(inside, phrase)
-            if (is_end or behind) and is_somebody and not has_subject and (name or self._case(index) == "to"):
+            behind = self._place_at_end(inside, phrase) if is_to else 0
+            if is_to and (is_end or behind) and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase
                 if behind:

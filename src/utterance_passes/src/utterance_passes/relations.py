@@ -12,8 +12,8 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary, is_verb
 from word_classes import word_class
 
-_HANDLING = word_class("verbs_of_handling")
 _ASKING = word_class("asking_verbs")
+_HANDLING = word_class("verbs_of_handling")
 #: Tags of a verb that may be a command.
 _BARE_TAGS = frozenset(["VB", "VBP"])
 _GOING = word_class("verbs_of_going")
@@ -315,8 +315,8 @@ def with_requests_behind_clauses(tree: DependencyTree, _: Vocabulary) -> Depende
         if verb.lemma.lower() not in _ASKING or hearer.deprel not in ("obj", "iobj"):
             continue
         asked = [child for child in tree.children(clause.index) if prepositions_of(tree, child.index) == ["for"]]
-        is_all = not any(prepositions_of(tree, child.index) == ["for"] for child in tree.children(verb.index))
-        if asked and is_all and max(tree.subtree(asked[-1].index)) == max(tree.subtree(clause.index)):
+        is_said = any(prepositions_of(tree, child.index) == ["for"] for child in tree.children(verb.index))
+        if asked and not is_said and max(tree.subtree(asked[-1].index)) == max(tree.subtree(clause.index)):
             edit.rehang(asked[-1].index, verb.index, "obl")
     return edit.tree()
 
@@ -326,11 +326,12 @@ def with_things_named_by_clauses(tree: DependencyTree, _: Vocabulary) -> Depende
     edit = TreeEdit(tree)
     for clause in tree.words:
         verb = tree.word(clause.head) if clause.head and clause.deprel == "ccomp" else clause
-        what = tree.word(_first_word(tree, clause))
-        if verb is clause or verb.lemma.lower() not in _HANDLING or what.form.lower() != "what" or what.xpos != "WP":
+        if verb is clause or verb.lemma.lower() not in _HANDLING:
             continue
+        what = tree.word(_first_word(tree, clause))
+        is_what = what.form.lower() == "what" and what.xpos == "WP"
         has_object = any(child.deprel == "obj" for child in tree.children(verb.index))
-        if what.head == clause.index and what.index > verb.index and not has_object:
+        if is_what and what.head == clause.index and what.index > verb.index and not has_object:
             edit.rehang(what.index, verb.index, "obj")
             edit.rehang(clause.index, what.index, "acl:relcl")
     return edit.tree()

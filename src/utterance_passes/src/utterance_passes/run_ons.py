@@ -85,14 +85,15 @@ def sentences(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary)
         return ()
     found = []
     for position in range(2, len(said)):
-        first = position
-        while first < len(said) and said[first] in _LEAD_IN:
-            first += 1
-        if forms[position - 1] in _SENTENCE_ENDS and tags[position - 1] == "PUNCT" and first < len(said):
-            is_asked = said[first] in _MODALS and said[first + 1 : first + 2] == ["you"]
-            is_verb = tags[first] != "AUX" and bool(vocabulary.verbs_beginning_with(said[first]))
-            if is_asked or is_verb:
-                found.append(position + 1)
+        if forms[position - 1] not in _SENTENCE_ENDS or tags[position - 1] != "PUNCT":
+            continue
+        first = next((place for place in range(position, len(said)) if said[place] not in _LEAD_IN), None)
+        if first is None:
+            continue
+        is_asked = said[first] in _MODALS and said[first + 1 : first + 2] == ["you"]
+        is_verb = tags[first] != "AUX" and bool(vocabulary.verbs_beginning_with(said[first]))
+        if is_asked or is_verb:
+            found.append(position + 1)
     return tuple(found)
 
 
