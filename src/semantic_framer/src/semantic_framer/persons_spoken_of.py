@@ -7,6 +7,7 @@ from phrase_meanings.arguments import referring_to
 from semantic_framer.sentence import Sentence
 from typed_arguments import TypedArgument
 from typed_arguments.positions import without_any_position
+from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_name_of_person
 from utterance_passes.tree import Word
 from word_classes import word_class
@@ -15,6 +16,8 @@ from word_classes import word_class
 _PERSON = "Human"
 _MALE, _FEMALE = word_class("male_persons"), word_class("female_persons")
 _HE, _SHE = word_class("male_pronouns"), word_class("female_pronouns")
+#: Relations of a part of a name to its first or its last word: "*Dr.* Smith", "Anna *Smith*".
+_OF_NAMES = frozenset(["compound", "flat", "nmod:desc"])
 #: Pronouns for a person who was named before.
 PERSONAL_PRONOUNS = _HE | _SHE
 _INDEFINITE = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
@@ -39,6 +42,24 @@ def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) ->
         words = (_word_said(position, argument.words, sentence) for position in told)
         found[:0] = [_named(word) for word in words if word is not None and is_name_of_person(word)]
     return tuple(found)
+
+
+def persons_told(sentence: Sentence, told: Iterable[Clause]) -> Tuple[TypedArgument, ...]:
+    """Return the persons whom statements around a command name, the last one first: "I saw *Anna* in the garden, follow
+    her".
+
+    Args:
+        sentence: the sentence
+        told: its clauses that ask for nothing
+    """
+    words = (sentence.word(position) for clause in told for position in sorted(clause.positions))
+    names = [word for word in words if word.deprel not in _OF_NAMES and is_name_of_person(word)]
+    return tuple(replace(_named(name), text=_whole_name(name, sentence)) for name in reversed(names))
+
+
+def _whole_name(name: Word, sentence: Sentence) -> str:
+    parts = [child.index for child in sentence.children(name.index) if child.deprel in _OF_NAMES]
+    return sentence.text(sorted([name.index, *parts]))
 
 
 def _word_said(position: int, words: str, sentence: Sentence) -> Optional[Word]:

@@ -10,6 +10,7 @@ from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
+from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
 from semantic_framer.references import thing_told
@@ -69,8 +70,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         return Heard(*ask_which(choices, context, now), sentence, clauses)
     kept = tuple(read.kept for read in clauses)
     read_ones = [read.clause for read in clauses]
-    thing = thing_told(sentence, (clause for clause in case.clauses if clause not in read_ones))
-    context = context.with_thing(thing) if thing is not None else context
+    told = [clause for clause in case.clauses if clause not in read_ones]
+    thing = thing_told(sentence, told)
+    context = (context.with_thing(thing) if thing is not None else context).with_persons(persons_told(sentence, told))
     outcome, context = resolve_and_confirm(kept, sentence, context, now)
     words = words_outside(sentence, case.clauses)
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

@@ -180,9 +180,13 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         thing = tree.word(use.index - 2) if use.index > 2 else use
         if thing.form.lower() not in _INDEFINITE_THINGS:
             continue
-        if use.deprel == "acl" and use.head == thing.index and thing.deprel == "obj":
+        is_of_thing = use.deprel == "acl" and use.head == thing.index
+        is_of_verb = use.deprel == "xcomp" and use.head == thing.head and tree.is_infinitive(use.index)
+        if thing.deprel == "obj" and (is_of_thing or is_of_verb):
             phrases = [child for child in tree.children(use.index) if child.index > use.index]
             given = [phrase.index for phrase in phrases if _has_case(tree, phrase, _TO)]
+            if given and is_of_verb:
+                edit.rehang(use.index, thing.index, "acl")
             for phrase in phrases:
                 if given and phrase.index >= given[0] and phrase.deprel == "obl":
                     edit.rehang(phrase.index, thing.head)

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import joined, turns_in_place
+from utterance_passes import joined, turns_in_place, words_set_off
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -184,5 +184,15 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         joined.with_clothes_at_persons,
+    ),
+    TreePass(
+        "words_set_off",
+        "Separate a bare noun behind a comma from the phrase before it.",
+        Example(
+            "go|VERB|0|root to|ADP|4|case the|DET|4|det wall|NOUN|1|obl ,|PUNCT|6|punct photo|NOUN|4|conj",
+            ("photo: conj(wall) -> parataxis(go)",),
+        ),
+        Stage.FRAMER,
+        words_set_off.with_words_set_off,
     ),
 )

@@ -39,8 +39,11 @@ def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
             for number in _number_behind_name(tree, thing):
                 edit.rehang(number.index, thing.index, "nummod")
         if not objects:
+            taker = _verb_without_thing(tree, verb)
             for word in (_unmarked(tree, verb) or _unjoined(tree, verb))[:1]:
-                edit.rehang(word.index, verb.index, "obj")
+                edit.rehang(word.index, taker.index, "obj")
+                if taker is not verb:
+                    edit.relabel(verb.head, "iobj")
             for word, preposition in _slips(tree, verb):
                 edit.relabel(word.index, "obj")
                 edit.rehang(preposition.index, verb.index, ASIDE)
@@ -51,6 +54,15 @@ def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
                 edit.relabel(objects[0].index, "iobj")
             _take_owner_from_name(edit, tree, *objects)
     return edit.tree()
+
+
+def _verb_without_thing(tree: DependencyTree, verb: Word) -> Word:
+    """Return the verb that has only a person, whom another verb describes: "*tell* the man pointing to the left at the
+    door *your name*". If there is none, return the other verb."""
+    person = tree.word(verb.head) if verb.head and verb.deprel == "acl" else verb
+    above = tree.word(person.head) if person is not verb and person.head else verb
+    objects = [child for child in tree.children(above.index) if child.deprel in ("obj", "iobj")]
+    return above if objects == [person] and above.upos == "VERB" and is_person_or_name(person) else verb
 
 
 def _correct_only_object(edit: TreeEdit, tree: DependencyTree, only: Word, vocabulary: Vocabulary) -> None:
@@ -70,7 +82,9 @@ def _correct_only_object(edit: TreeEdit, tree: DependencyTree, only: Word, vocab
         edit.retag(greeting[0].index, "NOUN", "NN")
         edit.relabel(greeting[0].index, "obj")
     elif is_person_or_name(only):
-        for word in _behind_description(tree, only) or _behind_place(tree, verb):
+        is_told = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD
+        behind = _behind_description(tree, only) or _behind_place(tree, verb)
+        for word in behind or _behind_whole_description(tree, only, is_told=is_told):
             edit.rehang(word.index, verb.index, "obj")
             edit.relabel(only.index, "iobj")
 
@@ -246,3 +260,15 @@ def _behind_description(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
         if last is not None and is_noun and _begins_with_article(tree, last):
             return (last,)
     return ()
+
+
+def _behind_whole_description(tree: DependencyTree, person: Word, *, is_told: bool) -> Tuple[Word, ...]:
+    """Return the last phrase of a verb if it follows the description of a person without a preposition: "tell the man
+    waving in the hall *a joke*"."""
+    end = max(tree.subtree(person.index))
+    return tuple(
+        child
+        for child in tree.children(person.head)
+        if child.deprel == "obl" and child.upos == "NOUN" and min(tree.subtree(child.index)) == end + 1
+        if _begins_with_article(tree, child) and (is_told or _is_thing(child))
+    )

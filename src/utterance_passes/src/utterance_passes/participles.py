@@ -92,7 +92,7 @@ def _hang_behind(tree: DependencyTree, edit: TreeEdit, gerund: Word, person: Wor
     top = person if is_of_command else gerund
     governor = tree.word(top.head) if top.head else top
     # "Bring water to the waving to you person": the person gets the water.
-    is_of_object = governor.deprel == "obj" and top.deprel == "nmod" and governor.head
+    is_of_object = governor.deprel == "obj" and top.deprel in ("nmod", "acl") and governor.head
     edit.rehang(person.index, governor.head if is_of_object else top.head, "obl" if is_of_object else top.deprel)
     for child in tree.children(gerund.index):
         if child.index < gerund.index and child.deprel == "mark":
@@ -115,7 +115,7 @@ def _described(tree: DependencyTree, participle: Word) -> Optional[Word]:
         return None
     noun = tree.word(participle.index - 1)
     # "Say the time to the man *waving* at the door": not the time is waving.
-    is_of_another = participle.deprel == "acl" and participle.xpos == "VBG" and noun.head == participle.head
+    is_of_another = participle.deprel == "acl" and participle.xpos == "VBG" and participle.head < noun.index
     if participle.deprel.split(":")[0] not in _OF_THE_VERB and not (is_of_another and is_person(noun)):
         return None
     # "And dancing", "by dancing" and "dancing" after a comma describe nothing.

@@ -28,6 +28,8 @@ _OF_MESSAGES = frozenset(["ccomp", "xcomp"])
 _OPINION = word_class("verbs_of_opinion") - word_class("wanting_verbs") - word_class("wishing_verbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _TO_PREPOSITIONS = word_class("to_prepositions")
+_RECEIVERS = (word_class("object_pronouns") | word_class("female_pronouns") | word_class("hearers")) - {"it"}
+_WITH_TO = word_class("verbs_with_to")
 #: Words with which begins what is told.
 _OPENINGS = _QUESTION_WORDS | _WHETHER | frozenset(["that"])
 
@@ -347,14 +349,26 @@ def with_goals_behind_clauses(tree: DependencyTree, _: Vocabulary) -> Dependency
             continue
         inside = sorted(tree.subtree(clause.index))
         goals = [tree.word(index) for index in inside if _has_preposition(tree, index, _TO_PREPOSITIONS)]
-        # "That he left *on the table* to the kitchen": nothing is left in two places. "That he used *yesterday* to the
-        # kitchen": where a verb goes stands before when it went.
-        ends = [index for index in inside if _has_preposition(tree, index, _PLACE_PREPOSITIONS)]
-        ends += [child.index for child in tree.children(clause.index) if child.deprel == "obl:unmarked"]
-        is_last = len(goals) == 1 and max(tree.subtree(goals[0].index)) == inside[-1]
-        if is_last and goals[0] is not clause and any(clause.index < index < goals[0].index for index in ends):
+        if len(goals) != 1 or goals[0] is clause or max(tree.subtree(goals[0].index)) != inside[-1]:
+            continue
+        # "What you *found* to the kitchen": nothing is found to a place.
+        is_without = verb.lemma.lower() in _HANDLING and clause.lemma.lower() not in _WITH_TO and clause.upos == "VERB"
+        if is_without or _is_complete_before(tree, clause, goals[0]):
             edit.rehang(goals[0].index, verb.index, "obl")
     return edit.tree()
+
+
+def _is_complete_before(tree: DependencyTree, clause: Word, goal: Word) -> bool:
+    """Whether what describes a thing ends before a goal.
+
+    Nothing is left in two places: "that he left *on the table* to the kitchen"; nor given to two: "that I gave *you* to
+    the kitchen". Where a verb goes stands before when it went: "that he used *yesterday* to the kitchen".
+    """
+    children = tree.children(clause.index)
+    ends = [index for index in tree.subtree(clause.index) if _has_preposition(tree, index, _PLACE_PREPOSITIONS)]
+    ends += [child.index for child in children if child.deprel == "obl:unmarked" or child.form.lower() in _RECEIVERS]
+    is_place = clause.index in ends and any(child.deprel == "cop" for child in children)
+    return is_place or any(clause.index < index < goal.index for index in ends)
 
 
 def _has_preposition(tree: DependencyTree, index: int, prepositions: FrozenSet[str]) -> bool:

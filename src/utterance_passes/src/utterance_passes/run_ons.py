@@ -81,10 +81,12 @@ def sentences(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary)
         positions of these words, from 1
     """
     said = [form.lower() for form in forms]
-    if _SAYING & frozenset(said) or QUOTATION_MARKS & frozenset(forms):
+    if QUOTATION_MARKS & frozenset(forms):
         return ()
     found = []
     for position in range(2, len(said)):
+        if _SAYING & frozenset(said[:position]):
+            break
         if forms[position - 1] not in _SENTENCE_ENDS or tags[position - 1] != "PUNCT":
             continue
         first = next((place for place in range(position, len(said)) if said[place] not in _LEAD_IN), None)

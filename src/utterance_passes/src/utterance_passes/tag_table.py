@@ -112,6 +112,20 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.prepositions_as_verbs,
     ),
     TagPass(
+        "left_behind",
+        'Tag "left" between somebody and something as a verb that the tagger took for a side.',
+        Example("Bob|PROPN left|ADV his|PRON keys|NOUN", ("2 VERB VBD",), Verbs()),
+        Stage.PARSER,
+        tagging.left_behind,
+    ),
+    TagPass(
+        "prepositions_before_names",
+        'Tag "to" before a name as a preposition that the tagger took for the mark of a verb.',
+        Example("say|VERB hello|NOUN to|PART Bob|PROPN", ("3 ADP IN",), Verbs(frozenset(["say"]))),
+        Stage.PARSER,
+        tagging.prepositions_before_names,
+    ),
+    TagPass(
         "gerunds_as_nouns",
         "Tag a gerund between a verb and a noun as a noun if the verb takes no gerund.",
         Example("bring|VERB cleaning|VERB stuff|NOUN", ("2 NOUN NN",), Verbs(frozenset(["bring"]))),

@@ -20,6 +20,7 @@ _DO = word_class("forms_of_do")
 _AUXILIARIES = word_class("forms_of_have") | _DO
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
+_OBJECTS = word_class("object_beginnings")
 _PERSONS = word_class("personal_subjects")
 #: "The man and guide *that* I met" has a relative clause.
 _POINTED_AT = (word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things")) - {"that"}
@@ -145,6 +146,13 @@ def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
         is_item = before == "PUNCT" and forms[position - 2] == "," and position > 2 and tags[position - 3] == "NOUN"
         is_item &= position < len(forms) and (forms[position] == "," or forms[position].lower() in _JOINTS)
         is_last = before == "CCONJ" and bool(found) and found[-1].position == position - 2
+        # "A cup, plate and *fork*".
+        is_last |= (
+            before == "CCONJ"
+            and tags[position - 4 : position - 2] == ["PUNCT", "NOUN"]
+            and position > 4
+            and (tags[position - 5] == "NOUN" and frozenset(tags[position:]) <= {"PUNCT"})
+        )
         is_noun = tag == "VERB" and NOUN in parts_of_speech(form) and not vocabulary.verbs_beginning_with(form.lower())
         if is_noun and (is_item or is_last):
             found = (*found, Retag(position, "NOUN", "NN", "Number=Sing"))
@@ -253,6 +261,28 @@ def prepositions_as_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabula
         if tag == "VERB" and position < len(forms) and tags[position] in _NOUNS
         if form.lower() in _PLACE_PREPOSITIONS and VERB not in parts_of_speech(form.lower())
     )
+
+
+def prepositions_before_names(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag "to" before a name as a preposition that the tagger took for the mark of a verb: "say the time *to* Bob"."""
+    return tuple(
+        Retag(position, "ADP", "IN")
+        for position in range(2, len(forms))
+        if forms[position - 1].lower() == "to" and tags[position - 1] == "PART" and tags[position] == "PROPN"
+    )
+
+
+def left_behind(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag "left" between somebody and something as a verb that the tagger took for a side: "Bob *left* his keys"."""
+    said = [form.lower() for form in forms]
+    for position in range(2, len(forms)):
+        if said[position - 1] != "left" or tags[position - 1] == "VERB":
+            continue
+        is_first_verb = not frozenset(["VERB", "AUX"]) & frozenset(tags[: position - 1])
+        is_thing_behind = said[position] in _OBJECTS and tags[position + 1 : position + 2] in (["NOUN"], ["ADJ"])
+        if is_first_verb and is_thing_behind and tags[position - 2] in ("PROPN", "PRON"):
+            return (Retag(position, "VERB", "VBD", "Mood=Ind|Tense=Past|VerbForm=Fin", "leave"),)
+    return ()
 
 
 def gerunds_as_nouns(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
