@@ -15,12 +15,12 @@ from phrase_meanings.head_words import ONES
 from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment
-from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.frame_roles import MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase
+from semantic_framer.references import noun_phrase, so_many
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, stated
 from semantic_framer.type_fits import with_types
@@ -28,6 +28,7 @@ from semantic_framer.unheeded import without_unheeded
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit
+from spoken_quantities.numbers import find_whole_number
 from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import with_moved_positions, without_any_position
 from utterance_passes.clauses import find_clauses
@@ -41,6 +42,7 @@ from word_classes import word_class, word_list
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
 _PERSONS = word_class("pronouns_of_persons")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PAIRS = word_list("opposite_sides")
 #: The other side of each side.
 _OPPOSITES: Dict[str, str] = {
@@ -138,7 +140,7 @@ class _Amending:
         if kind is FragmentKind.OPPOSITE or is_one:
             found = self._of_a_side() or self._replaced()
         else:
-            found = self._replaced() or self._read_behind_verb()
+            found = self._replaced() or self._counted() or self._behind_same_preposition() or self._read_behind_verb()
         if not found:
             return None
         changed = self._with(found)
@@ -250,6 +252,38 @@ class _Amending:
         typed = with_types([made], self._frame, self._sentence.types)
         return typed.arguments if is_one or not typed.wrong else ()
 
+    def _counted(self) -> Tuple[TypedArgument, ...]:
+        """Return the only thing of the command, so many of it as the fragment says: "bring me a cup" - "*two*, please".
+
+        Nothing if the fragment is no number alone, or the command has an amount, or several things.
+        """
+        count = find_whole_number(self._tree.text_of(self._fragment.positions))
+        things = [
+            argument
+            for argument in self._reading.arguments
+            for element in [self._frame.element(argument.name)]
+            if element is not None and element.framenet in THINGS and self._is_noun_phrase(argument, element)
+        ]
+        if not count or count < 0 or self._fragment.is_more or measured(self._reading, self._frame) or len(things) != 1:
+            return ()
+        made = self._sentence.phrases.argument(things[0].name, self._fragment.positions[-1], left_out=self._left_out())
+        return (replace(so_many(made, count, things[0]), relation=things[0].relation),)
+
+    def _behind_same_preposition(self) -> Tuple[TypedArgument, ...]:
+        """Return the phrase of the fragment in the place of that of a question with the same preposition: "who is
+        *in the kitchen*?" - "and *in the office*?"; or of the one that says where, too. Nothing if there is none.
+        """
+        kept = frozenset(self._fragment.positions)
+        tops = [index for index in kept if self._tree.word(index).head not in kept]
+        cases = [child.form.lower() for index in tops for child in self._tree.children(index) if child.deprel == "case"]
+        phrases = [one for one in self._reading.arguments if one.relation]
+        places = [one for one in phrases if frozenset([one.relation, *cases]) <= _PLACE_PREPOSITIONS]
+        before = [one for one in phrases if [one.relation] == cases] or places
+        if not self._frame.is_question or len(tops) != 1 or len(cases) != 1 or len(before) != 1:
+            return ()
+        made = self._sentence.phrases.argument(before[0].name, tops[0], left_out=self._left_out())
+        return (replace(made, relation="".join(cases)),)
+
     def _head(self) -> int:
         """Return the head of a fragment that is one noun phrase without prepositions; 0 for others."""
         kept = frozenset(self._fragment.positions)
@@ -332,7 +366,7 @@ class _Amending:
         amounts = find_amounts(self._tree, list(self._fragment.positions))
         unit = ""
         if amounts and not any(amount.unit for amount in amounts):
-            unit = self._unit() if self._fragment.is_more else ""
+            unit = self._unit() if self._fragment.is_more or self._fragment.is_instead else ""
             if not unit:
                 return ()
         verb = self._reading.verb.split()

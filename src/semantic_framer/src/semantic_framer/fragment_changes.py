@@ -77,7 +77,7 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     Returns:
         the change; None if the utterance is to be read as a command
     """
-    fragment = fragment_of(sentence, parsed, known)
+    fragment = fragment_of(sentence, parsed, known, is_asked=_is_question(context.last, known))
     if fragment is None:
         return None
     said = sentence.tree.text.strip(_MARKS)
@@ -105,6 +105,12 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     after = "; ".join(str(readings[0]) for readings in clauses)
     note = f"{fragment.kind.value}: {before} -> {after}"
     return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
+
+
+def _is_question(last: Optional[LastCommand], known: FramedLexicon) -> bool:
+    """Whether the last command asked something."""
+    names = [readings[0].unit.frame_name for readings in last.clauses] if last is not None else []
+    return any(name in known.frames and known.frames[name].is_question for name in names)
 
 
 def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:

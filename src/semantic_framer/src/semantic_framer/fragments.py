@@ -28,6 +28,8 @@ from word_classes import word_class
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
 KINDS = (
     "openings",
+    "replacing",
+    "asking",
     "endings",
     "whole_command",
     "as_much_again",
@@ -60,12 +62,14 @@ class Fragment:
         positions: of the words that count, ascending
         is_more: whether its amount comes on top: "ten more"
         times: how often the command is repeated: "do that again *three times*"; 0 if it does not say
+        is_instead: whether its amount takes the place of the one before: "*make that* ten"
     """
 
     kind: FragmentKind
     positions: Tuple[int, ...]
     is_more: bool = False
     times: int = 0
+    is_instead: bool = False
 
     @property
     def needs_command(self) -> bool:
@@ -96,7 +100,10 @@ def shipped_fragments() -> Mapping[str, Tuple[Formula, ...]]:
     return load_formulas(read_text(str(FRAGMENTS_FILE)), str(FRAGMENTS_FILE), KINDS, keys=("pattern", "example"))
 
 
-_OPENINGS, _ENDINGS = any_of(shipped_fragments()["openings"]), any_of(shipped_fragments()["endings"])
+_REPLACING, _ASKING = (shipped_fragments()[name] for name in ("replacing", "asking"))
+_OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING))
+_OPENINGS_OF_QUESTIONS = any_of((*shipped_fragments()["openings"], *_ASKING))
+_ENDINGS = any_of(shipped_fragments()["endings"])
 _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
     (kind, any_of(shipped_fragments()[name]))
     for kind, name in (
@@ -112,13 +119,16 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
 )
 
 
-def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Optional[Fragment]:
+def fragment_of(
+    sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon, *, is_asked: bool = False
+) -> Optional[Fragment]:
     """Return an utterance as a fragment; None if it is none, or a command of its own.
 
     Args:
         sentence: the utterance
         clauses: its clauses
         known: an utterance with a verb of the lexicon is a command
+        is_asked: whether the last command was a question, so that this may be one: "and Bob?"
     """
     tree = sentence.tree
     hidden = {word.index for word in tree.words if word.deprel == ABANDONED}
@@ -126,7 +136,7 @@ def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexi
     whole = [word for word in said if word.index not in hidden]
     said = _behind_contrast(tree, whole)
     forms = [plain(word) for word in said]
-    first, last = _core(forms)
+    first, last = _core(forms, _OPENINGS_OF_QUESTIONS if is_asked else _OPENINGS)
     core = " ".join(forms[first:last])
     positions = tuple(word.index for word in said[first:last])
     # "Right" alone agrees; "now right" and "no, right" do not.
@@ -143,11 +153,14 @@ def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexi
     if core in _LEFT_AND_RIGHT:
         # The parser takes "left" for a verb.
         return Fragment(FragmentKind.ELEMENTS, positions)
-    if any(match_verbs(tree, clause, known) for clause in clauses) or frozenset(forms[first:last]) & _NO_FRAGMENT:
+    is_instead = any_of(_REPLACING).search(" ".join(forms[:first])) is not None
+    verbs = [clause for clause in clauses if not is_instead or clause.verb in positions]
+    if any(match_verbs(tree, clause, known) for clause in verbs) or frozenset(forms[first:last]) & _NO_FRAGMENT:
         return None
     if core in _NOTHING_NEW or tree.times or tree.quoted:
         return None
-    if kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
+    kinds = (UtteranceKind.ANSWER, UtteranceKind.QUESTION) if is_asked else (UtteranceKind.ANSWER,)
+    if kind_without_clause(tree).kind not in kinds:
         return None
     is_more = bool(_MORE & frozenset(forms[first:last]))
     slight = slight_words(tree, positions)
@@ -157,7 +170,7 @@ def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexi
         # "A bit more to the left" is "a bit to the left", from where the robot is.
         positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
         is_more = False
-    return Fragment(FragmentKind.ELEMENTS, positions, is_more)
+    return Fragment(FragmentKind.ELEMENTS, positions, is_more, is_instead=is_instead)
 
 
 def _times_at_end(forms: Sequence[str]) -> Tuple[int, int]:
@@ -182,11 +195,11 @@ def _behind_contrast(tree: DependencyTree, said: Sequence[Word]) -> List[Word]:
     return behind or list(said)
 
 
-def _core(forms: Sequence[str]) -> Tuple[int, int]:
+def _core(forms: Sequence[str], openings: Pattern[str]) -> Tuple[int, int]:
     """Return the bounds of the words between openings and endings."""
     first, last = 0, len(forms)
     if not any(pattern.fullmatch(" ".join(forms)) for _, pattern in _WHOLE):
-        first = _behind(forms, _OPENINGS)
+        first = _behind(forms, openings)
         while last > first:
             length = next(
                 (

@@ -93,7 +93,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
                 return value
             value = _of_the_same_kind(value, things[0])
         elif things and element is not None and element.framenet in THINGS and (count := _number_alone(value)):
-            value = _so_many(value, count, things[0])
+            value = so_many(value, count, things[0].phrases[0]) if things[0].phrases else value
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
 
@@ -116,9 +116,15 @@ def _number_alone(value: TypedArgument) -> int:
     return number if number is not None and number > 0 and value.positions and value.measure is None else 0
 
 
-def _so_many(value: TypedArgument, count: int, thing: Thing) -> TypedArgument:
-    """Return so many things of the kind that was spoken of: "are there apples?", "bring me two"."""
-    kind = of_same_kind(value, thing.phrases[0]) if thing.phrases else value
+def so_many(value: TypedArgument, count: int, thing: TypedArgument) -> TypedArgument:
+    """Return so many things of the kind that was spoken of: "are there apples?", "bring me two".
+
+    Args:
+        value: the number alone
+        count: its value
+        thing: what was spoken of
+    """
+    kind = of_same_kind(value, thing)
     noun = plural_of(kind.lemma) if count > 1 else kind.lemma
     return value if kind is value else replace(kind, text=f"{value.text} {noun}", count=count, is_plural=count > 1)
 
