@@ -281,6 +281,7 @@ def _in_words(reading: Reading) -> str:
     """Return a clause as it was said, or its verb and arguments where a pronoun stands for something else."""
     said = [value.text for value in reading.arguments if value.positions and value.text.lower() not in _HEARERS]
     clause = reading.clause_text
-    if clause and all(text.lower() in clause.lower() for text in said):
+    # "'d like the heating off" begins in the middle of a word.
+    if clause[:1].isalnum() and all(text.lower() in clause.lower() for text in said):
         return clause[0].lower() + clause[1:]
     return " ".join([reading.verb, *said])

@@ -1,5 +1,5 @@
 """Reads commands that are said without their verb: a thing and "please" is to be brought, "two napkins, please"; a way
-and its measure is to be gone, "forward two metres", "left 90 degrees"."""
+and its measure is to be gone, "forward two metres", "left 90 degrees"; a device is to be switched, "lights off"."""
 
 from dataclasses import replace
 from typing import FrozenSet, Optional, Sequence
@@ -20,6 +20,10 @@ from word_classes import word_class
 _VERB = "bring"
 #: What is done with a direction and a measure, by the quantity that is measured.
 _VERBS_OF_WAYS = {"length": "move", "angle": "turn"}
+#: What is done with a device of which only its state is said.
+_SWITCHING = "turn"
+_DEVICES = ("Device", "Music")
+_ON_AND_OFF = frozenset(["on", "off"])
 _PLEASE = frozenset(["please"])
 _ONE = word_class("indefinite_articles") | frozenset(["some"])
 #: A thing without an article: "lights, please" does not ask for lights to be brought.
@@ -43,7 +47,8 @@ def asked_for(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexico
     tree = sentence.tree
     kept = frozenset(index for index in fragment.positions if tree.word(index).form.lower() not in _PLEASE)
     is_polite = any(word.form.lower() in _PLEASE for word in tree.words)
-    return _way(sentence, kept, known) or (_thing(sentence, kept, known) if is_polite else None)
+    short_for = _way(sentence, kept, known) or _device(sentence, kept, known)
+    return short_for or (_thing(sentence, kept, known) if is_polite else None)
 
 
 def _way(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Optional[Sentence]:
@@ -64,6 +69,23 @@ def _way(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Opti
     edit.retag(direction + 1, "ADV", "RB")
     edit.rehang(amounts[0].unit_position + 1, 1, "obl:unmarked")
     return Sentence(edit.tree(), known.types)
+
+
+def _device(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Optional[Sentence]:
+    """Return the command to switch a device: "*turn* the lights off"; None if something else is said."""
+    tree = sentence.tree
+    heads = [index for index in kept if tree.word(index).head not in kept]
+    switches = [
+        child
+        for index in heads
+        for child in tree.children(index)
+        if child.deprel == "compound:prt" and child.form.lower() in _ON_AND_OFF and child.index in kept
+    ]
+    is_more_said = any(tree.word(index).upos == "ADV" for index in kept)
+    if len(heads) != 1 or len(switches) != 1 or is_more_said or not known.verbs_beginning_with(_SWITCHING):
+        return None
+    is_device = tree.word(heads[0]).upos == "NOUN" and sentence.types.fit(heads[0], _DEVICES) is Fit.LIKELY
+    return Sentence(behind_verb(tree, [_SWITCHING], kept), known.types) if is_device else None
 
 
 def _thing(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Optional[Sentence]:

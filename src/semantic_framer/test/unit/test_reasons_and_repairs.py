@@ -126,8 +126,8 @@ def said(outcome: Any) -> str:
         ("Could I possibly trouble you for a cup of tea?", "bringing(theme=a cup of tea)"),
         ("Bring me a screwdriver asap.", "bringing(theme=a screwdriver, beneficiary=me)"),
         # A thing and "please".
-        ("Coffee please.", "bringing(theme=Coffee)"),
-        ("Two napkins, please.", "bringing(theme=Two napkins)"),
+        ("Coffee please.", "bringing(theme=coffee)"),
+        ("Two napkins, please.", "bringing(theme=two napkins)"),
     ],
 )
 def test_what_is_meant(understand: Any, text: str, meant: str) -> None:

@@ -242,6 +242,12 @@ def said_after(tree: DependencyTree, answer: DependencyTree) -> DependencyTree:
     return mark_times(joined(text, (tree, moved)), times)
 
 
+def _inside_sentence(word: Word) -> str:
+    """Return the form of a word that no longer begins its sentence: "turn *the* lights off" for "*The* lights off"."""
+    is_common = word.index == 1 and word.upos != "PROPN" and word.form.istitle() and word.form != "I"
+    return word.form.lower() if is_common else word.form
+
+
 def behind_verb(
     tree: DependencyTree,
     verb: Sequence[str],
@@ -283,6 +289,7 @@ def behind_verb(
             replace(
                 word,
                 index=word.index + shift,
+                form=_inside_sentence(word),
                 head=head + shift if head else 1,
                 deprel=deprel,
                 start_character=word.start_character + offset,
