@@ -109,7 +109,7 @@ class Phrases:
         self, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int], attached: FrozenSet[int]
     ) -> TypedArgument:
         tree = self._tree
-        left_out |= tree.abandoned | tree.fillers - {head}
+        left_out |= tree.abandoned | tree.fillers - {head} | _said_around(tree, head)
         extent = _extent(tree, head, left_out, attached)
         plain = self._plain(head, extent, form, name)
         try:
@@ -352,6 +352,13 @@ def _extent(tree: DependencyTree, head: int, left_out: FrozenSet[int], attached:
     if prepositions and positions and positions[0] < min(prepositions):
         prepositions |= frozenset(index for index in attached if index < min(prepositions))
     return _Extent(tuple(positions), prepositions)
+
+
+def _said_around(tree: DependencyTree, head: int) -> FrozenSet[int]:
+    """Return words that the parser attaches to a phrase that is a predicate, such as "robot" in "*robot*, the mug is on
+    the table, *please*"."""
+    around = [child.index for child in tree.children(head) if child.deprel in ("vocative", "discourse")]
+    return frozenset().union(*map(tree.subtree, around))
 
 
 def _prepositions(tree: DependencyTree, head: int) -> FrozenSet[int]:

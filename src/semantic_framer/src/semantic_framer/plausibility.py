@@ -29,6 +29,8 @@ _PLACING = word_class("placing_prepositions") - {"between"}
 _QUESTION_WORDS = word_class("question_words")
 _SHARES = frozenset(["percent", "%"])
 _SIDES = word_class("sides")
+_SOUGHT_OR_SAID = frozenset(["Sought_entity", MESSAGE])
+_SPEAKERS = word_class("speaker_objects")
 
 
 @dataclass(frozen=True)
@@ -205,6 +207,15 @@ def is_way(filled: Filled) -> bool:
     is_open = is_indefinite(tree, head.index) or not is_certain
     is_shape = bool(prepositions) and is_of_every_action(prepositions[0].form.lower(), head.form)
     return bool(filled.roles & PLACES) and is_open and is_shape and len(prepositions) == 1
+
+
+def is_wisher(filled: Filled) -> bool:
+    """Whether the person for whom something is done is taken for what is sought or said: "check the door *for me*", but
+    not "look for me in the kitchen", where the phrase is the first behind the verb.
+    """
+    is_for_speaker = filled.value.relation == "for" and filled.value.text.lower() in _SPEAKERS
+    is_first = filled.value.positions[:1] == (max(filled.reading.verb_positions, default=0) + 1,)
+    return bool(filled.roles & _SOUGHT_OR_SAID) and is_for_speaker and not is_first
 
 
 def is_degree(filled: Filled) -> bool:

@@ -88,6 +88,8 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             if len(persons) > 1:
                 return value
             value = persons[0]
+        elif (like := _contrasted(value, reading)) is not None:
+            value = of_same_kind(value, like)
         elif things and element is not None and element.framenet not in CONTENTS and _is_one_more(value):
             if _is_one_in_order(value) and len({thing.noun for thing in things}) > 1:
                 return value
@@ -102,6 +104,19 @@ def _is_one_more(value: TypedArgument) -> bool:
     """Whether a phrase names another thing of a kind: "one", "the red one"; "this one" is shown, not named."""
     is_one = value.head.lower() in ONES and bool(value.positions) and value.measure is None
     return is_one and value.quantifier not in DEMONSTRATIVES
+
+
+def _contrasted(value: TypedArgument, reading: Reading) -> Optional[TypedArgument]:
+    """Return the described thing before "one" in the same deed, of whose kind it is: "compare *the red cup* with the
+    blue one". None if there is none, or "one" is not described."""
+    before = [
+        other
+        for other in reading.arguments
+        if value.positions and other.positions and max(other.positions) < min(value.positions)
+        if other.modifiers and other.head.lower() not in ONES and other.semantic_type != "Human"
+    ]
+    is_described = _is_one_more(value) and any(modifier.kind == "adjective" for modifier in value.modifiers)
+    return max(before, key=lambda other: max(other.positions)) if before and is_described else None
 
 
 def _is_one_in_order(value: TypedArgument) -> bool:

@@ -259,6 +259,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         "way_is_no_place", 'A way to do it is taken for a place: "go in circles".', _of_any_value(plausibility.is_way)
     ),
     ReadingVerdict(
+        "wisher_is_not_sought",
+        'A person for whom it is done is taken for what is sought or said: "check the door for me".',
+        _of_any_value(plausibility.is_wisher),
+    ),
+    ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
     ),
     ReadingVerdict("side_is_no_thing", 'A side is taken for a thing: "a right".', _of_any_value(plausibility.is_side)),

@@ -27,7 +27,7 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Und
         ("Bring me anything but beer.", "bringing(theme=anything but beer, beneficiary=me)"),
         ("Bring me something to drink.", "bringing(theme=something to drink, beneficiary=me)"),
         ("Grab the second bottle from the left.", "taking(theme=the second bottle from the left)"),
-        ("Put the left shoe next to the right one.", "placing(theme=the left shoe, goal=the right one)"),
+        ("Put the left shoe next to the right one.", "placing(theme=the left shoe, goal=the right shoe)"),
         ("Open the second drawer from the top.", "opening_container(containing_object=the second drawer from the top)"),
         ("Turn the box upside down.", "rotating(theme=the box, direction=down)"),
         ("Do the dishes.", "washing_dishes(object=the dishes)"),

@@ -19,7 +19,7 @@ def test_order() -> None:
         "asks_for_nothing another_time no_verb negated condition_without_verb unknown_verb "
         "noun_of_another_verb measured_elsewhere unread_elsewhere asked_about_elsewhere "
         "number_is_no_place one_place two_phrases "
-        "subject_of_a_question way_is_no_place degree_is_no_thing "
+        "subject_of_a_question way_is_no_place wisher_is_not_sought degree_is_no_thing "
         "side_is_no_thing side_of_the_place_before deed_is_no_thing "
         "listed_elsewhere says_less report performer nothing_fits condition "
         "incomplete less_likely_asked wrong_type leaves_more_over doubtful_type lists_less told_inside words_outside"

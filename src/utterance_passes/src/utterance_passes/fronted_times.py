@@ -1,4 +1,4 @@
-"""Sets a time of the clock at the front apart from the command: "at six *,* turn on the light"."""
+"""Sets a time at the front apart from the command: "at six *,* turn on the light", "after that *,* count the cups"."""
 
 import re
 from typing import Iterable
@@ -33,10 +33,24 @@ _FRONTED = re.compile(
 )
 
 
+#: A deed before it, the word behind that, and the next word.
+_AFTER_DEED = re.compile(
+    rf"((?:^|(?:[,.;]|\band\b)\s+){_any('before_the_deed_before')} {_any('opinion_subjects')})"
+    r"\s+([a-z]+)(?:\s+([\w']+)|\W*$)",
+    re.IGNORECASE,
+)
+#: Behind a noun that could be a verb, they begin a clause: "after that dance *we* go".
+_NO_OBJECTS = word_class("clause_subjects") | word_class("forms_of_be")
+
+
 def with_times_set_off(spelling: Spelling, vocabulary: Verbs) -> Spelling:
-    """Put a comma behind a time at the front that a verb follows: the parser takes "six turn" for a thing."""
-    found = _FRONTED.match(spelling.text)
+    """Put a comma behind a time at the front that a verb follows: the parser takes "six turn" and "that count" for
+    things."""
+    found = _FRONTED.match(spelling.text) or _AFTER_DEED.search(spelling.text)
     if found is None or found.group(2).lower() not in vocabulary.words:
+        return spelling
+    following = (found.group(3) or "").lower() if found.re is _AFTER_DEED else ""
+    if following in _NO_OBJECTS | vocabulary.words:
         return spelling
     end = found.end(1)
     text = f"{spelling.text[:end]},{spelling.text[end:]}"

@@ -11,6 +11,7 @@ from word_classes import word_class
 
 _BACK = word_class("way_adverbs")
 _CONDITIONS = word_class("conditions")
+_DEEDS = word_class("opinion_subjects")
 _HERE = word_class("here_and_there")
 _MANNERS = word_class("manner_adverbs")
 _NOT = word_class("not")
@@ -155,6 +156,9 @@ def _preposition(tree: DependencyTree, word: Word) -> str:
     return " ".join(child.form.lower() for child in tree.children(word.index) if child.deprel == "case")
 
 
+_PHRASES = frozenset(["obl", "obl:unmarked", "advmod"])
+
+
 def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "do" before a bare verb its auxiliary: "please *do* shut the door"."""
     for do, verb in zip(tree.words, tree.words[1:]):
@@ -290,4 +294,22 @@ def with_clothes_at_persons(tree: DependencyTree, _: Vocabulary) -> DependencyTr
             continue
         if prepositions_of(tree, clothes.index) == ["in"] and is_likely(clothes, ["Clothing"]):
             edit.rehang(clothes.index, person.index, "nmod")
+    return edit.tree()
+
+
+def with_phrases_behind_joints(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a phrase between a conjunction and a verb to that verb, not to the one before: "go home and *after that*,
+    clean the table"; also what stands between two commas and only points back."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        if verb.deprel != "conj" or verb.upos != "VERB":
+            continue
+        joints = [child.index for child in tree.children(verb.index) if child.deprel == "cc"]
+        for phrase in tree.children(verb.head):
+            is_between = phrase.deprel in _PHRASES and phrase.index < verb.index
+            cases = [child.index for child in tree.children(phrase.index) if child.deprel == "case"]
+            is_set_off = any(tree.word(index - 1).upos == "PUNCT" for index in cases[:1] if index > 1)
+            points_back = is_set_off and phrase.form.lower() in _DEEDS
+            if is_between and (points_back or (joints and joints[0] < phrase.index)):
+                edit.rehang(phrase.index, verb.index)
     return edit.tree()

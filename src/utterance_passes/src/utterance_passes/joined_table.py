@@ -61,6 +61,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_conditions_joined,
     ),
     TreePass(
+        "phrases_behind_joints",
+        "Attach a phrase between a conjunction and a verb to that verb.",
+        Example(
+            "sing|VERB|0|root and|CCONJ|5|cc after|ADP|4|case that|PRON|1|obl dance|VERB|1|conj",
+            ("that: obl(sing) -> obl(dance)",),
+        ),
+        Stage.FRAMER,
+        joined.with_phrases_behind_joints,
+    ),
+    TreePass(
         "deeds_joined",
         "Join a bare verb behind a comma to the deed before it, not as what goes on meanwhile.",
         Example(

@@ -21,6 +21,7 @@ _AUXILIARIES = word_class("forms_of_have") | _DO
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
 _OBJECTS = word_class("object_beginnings")
+_PARTICLES = word_class("verb_particles")
 _PERSONS = word_class("personal_subjects")
 #: "The man and guide *that* I met" has a relative clause.
 _POINTED_AT = (word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things")) - {"that"}
@@ -59,15 +60,24 @@ def _imperative(position: int) -> Retag:
 
 def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a verb of the lexicon behind a comma as a verb that the tagger took for a noun: "find Anna, *spot* Bob"."""
-    if command_verb_position(forms, vocabulary) is None:
+    said = [form.lower() for form in forms]
+    if command_verb_position(forms, vocabulary) is None and said[0] not in _CONDITIONS:
         return ()
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag == "NOUN" and 2 < position < len(forms) and forms[position - 2] == ","
+        if tag in ("NOUN", "ADJ") and 2 < position < len(forms) and forms[position - 2] == ","
         if form.islower() and vocabulary.verbs_beginning_with(form)
-        # "The guide, Bob" has no verb, and neither has "room, table and chair".
-        if tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES
+        # "The guide, Bob" has no verb, and neither has "room, table and chair". No adjective stands before an article.
+        if (tag == "NOUN" and tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES)
+        or (tag == "ADJ" and tags[position] == "DET")
+        # "If it rings, *report* back to Anna."
+        or (
+            tag == "NOUN"
+            and forms[position].lower() in _PARTICLES
+            and tags[position] != "VERB"
+            and said[0] in _CONDITIONS
+        )
     )
 
 
@@ -93,6 +103,8 @@ def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Voca
         if form.islower() and vocabulary.verbs_beginning_with(form)
         if (tag == "NOUN" and forms[position].lower() == "to" and "PRON" in tags[position + 1 : position + 2])
         or (forms[position].lower() in _POINTED_AT and tags[position] == "PRON")
+        # "The kitchen and *high* five Bob": an adjective stands before no number.
+        or (tag == "ADJ" and tags[position] == "NUM")
         or _is_last_deed(tags, position)
     )
 
@@ -375,6 +387,7 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         if form.lower() in _RESULTS | _CHANGED and position > 2 and tags[position - 2] == "NOUN"
         if position == len(forms)
         or tags[position] in ("PUNCT", "CCONJ", "INTJ")
+        or (tags[position] == "ADV" and frozenset(tags[position + 1 :]) <= {"PUNCT"})
         or (form.lower() in _CHANGED and tags[position] == "ADP")
     )
 
