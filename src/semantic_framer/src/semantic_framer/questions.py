@@ -23,6 +23,7 @@ _NEGATIONS = word_class("negations")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would", "ca": "can", "wo": "will"}
 _NOT = "n't"
+_SENTENCE_ENDS = frozenset([".", "!", "?"])
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -127,6 +128,8 @@ def _read(
             return None  # "is the door heavy to open": these words are no phrase
         if not kind and sentence.word(positions[0]).upos == "ADP":
             return None  # "can you see to the washing" asks for no thing
+        if any(sentence.word(index).form in _SENTENCE_ENDS for index in range(positions[0], positions[-1])):
+            return None  # "never use the arm. Go home" has two sentences
         if any(sentence.word(index).form.lower() in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions

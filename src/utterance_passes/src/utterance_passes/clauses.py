@@ -292,9 +292,10 @@ def _assures_not(tree: DependencyTree, verb: Word) -> bool:
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
     """Whether a verb is a command to ask another person: "ask Alice to wait". "I ask you to wait" wraps a request."""
     objects = [child for child in children if child.deprel in ("obj", "iobj")]
-    has_subject = any(child.deprel.startswith("nsubj") for child in children)
+    subjects = [child.form.lower() for child in children if child.deprel.startswith("nsubj")]
     is_known = verb.lemma.lower() in vocabulary.verbs_beginning_with(verb.lemma.lower())
-    return is_known and not has_subject and any(child.form.lower() not in _HEARERS for child in objects)
+    is_asked = is_known and _HEARERS.issuperset(subjects)
+    return is_asked and any(child.form.lower() not in _HEARERS for child in objects)
 
 
 def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child: Word) -> bool:

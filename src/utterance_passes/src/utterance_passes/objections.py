@@ -61,6 +61,8 @@ def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:
     before, behind = tree.words[:position], [word for word in tree.words[position:] if word.upos == "VERB"]
     if not _forbids(tree, position):
         return False
+    if any(word.form.lower() == "again" for word in before[-2:]):
+        return True  # "Don't use it again. Go home." says what is never to be done.
     if not behind or behind[0].index != position + 1 or behind[0].deprel in ("obj", "obl", "nmod", "compound"):
         return True  # "Don't bring anything but water": it is a thing.
     is_same = any(word.lemma.lower() == behind[0].lemma.lower() for word in before)

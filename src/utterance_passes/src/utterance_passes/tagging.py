@@ -22,6 +22,10 @@ _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
 _OBJECTS = word_class("object_beginnings")
 _PARTICLES = word_class("verb_particles")
+#: Tags of the last two words of an object or a place before "and".
+_PHRASE_ENDS = (("DET", "NOUN"), ("DET", "ADJ"), ("ADP", "PROPN"), ("ADP", "NUM"), ("VERB", "PROPN"))
+#: The type of what can be counted, brought or wanted beside another thing.
+_TOUCHED = ("Physical_entity", "Information")
 _PERSONS = word_class("personal_subjects")
 #: "The man and guide *that* I met" has a relative clause.
 _POINTED_AT = (word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things")) - {"that"}
@@ -70,7 +74,8 @@ def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: V
         if form.islower() and vocabulary.verbs_beginning_with(form)
         # "The guide, Bob" has no verb, and neither has "room, table and chair". No adjective stands before an article.
         if (tag == "NOUN" and tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES)
-        or (tag == "ADJ" and tags[position] == "DET")
+        or (tag == "ADJ" and tags[position] in ("DET", "NUM"))
+        or _is_to_somebody(said, tags, position)
         # "If it rings, *report* back to Anna."
         or (
             tag == "NOUN"
@@ -96,17 +101,24 @@ def verbs_behind_and(forms: Sequence[str], tags: Sequence[str], vocabulary: Voca
     """Tag a verb of the lexicon between "and" and "to me", or "and" and a pronoun, as a verb that the tagger took for a
     noun or an adjective: "count all and *report* to me", "look whether all are closed and *close* those that are not";
     and the last word behind a name: "find Anna, and *wave*"."""
+    said, tags = [form.lower() for form in [*forms, ""]], [*tags, "PUNCT"]
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag in ("NOUN", "ADJ") and 2 < position < len(forms) and forms[position - 2].lower() == "and"
+        if tag in ("NOUN", "ADJ") and position > 2 and said[position - 2] == "and"
         if form.islower() and vocabulary.verbs_beginning_with(form)
-        if (tag == "NOUN" and forms[position].lower() == "to" and "PRON" in tags[position + 1 : position + 2])
-        or (forms[position].lower() in _POINTED_AT and tags[position] == "PRON")
+        if _is_to_somebody(said, tags, position)
+        or (said[position] in _POINTED_AT and tags[position] == "PRON")
         # "The kitchen and *high* five Bob": an adjective stands before no number.
         or (tag == "ADJ" and tags[position] == "NUM")
         or _is_last_deed(tags, position)
+        or _is_event_at_end(form, tags, position)
     )
+
+
+def _is_to_somebody(said: Sequence[str], tags: Sequence[str], position: int) -> bool:
+    """Whether "to" and a pronoun are behind a noun: "*report* to me"."""
+    return tags[position - 1] == "NOUN" and said[position] == "to" and "PRON" in tags[position + 1 : position + 2]
 
 
 def _is_last_deed(tags: Sequence[str], position: int) -> bool:
@@ -115,6 +127,15 @@ def _is_last_deed(tags: Sequence[str], position: int) -> bool:
     before = tuple(tags[max(0, position - 6) : position - 1])
     is_behind = before[-3:] == ("PROPN", "PUNCT", "CCONJ") or before == ("ADP", "DET", "NOUN", "PUNCT", "CCONJ")
     return is_behind and all(tag == "PUNCT" for tag in tags[position:])
+
+
+def _is_event_at_end(form: str, tags: Sequence[str], position: int) -> bool:
+    """Whether a noun without an article at the end names a deed, and no thing or person: "count the people and
+    *wave*"."""
+    is_last = all(tag == "PUNCT" for tag in tags[position:])
+    before = tags[max(0, position - 4) : position - 2]
+    is_behind_phrase = tuple(before) in _PHRASE_ENDS
+    return is_last and is_behind_phrase and shipped_types().of_noun([form]).fit(_TOUCHED) is not Fit.LIKELY
 
 
 def no_one(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
@@ -158,13 +179,10 @@ def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
         is_item = before == "PUNCT" and forms[position - 2] == "," and position > 2 and tags[position - 3] == "NOUN"
         is_item &= position < len(forms) and (forms[position] == "," or forms[position].lower() in _JOINTS)
         is_last = before == "CCONJ" and bool(found) and found[-1].position == position - 2
-        # "A cup, plate and *fork*".
-        is_last |= (
-            before == "CCONJ"
-            and tags[position - 4 : position - 2] == ["PUNCT", "NOUN"]
-            and position > 4
-            and (tags[position - 5] == "NOUN" and frozenset(tags[position:]) <= {"PUNCT"})
-        )
+        # "A cup, plate and *fork*", "the knife and *fork*".
+        is_at_end = frozenset(tags[position:]) <= {"PUNCT"}
+        items = (["NOUN", "PUNCT", "NOUN"], ["VERB", "DET", "NOUN"])
+        is_last |= before == "CCONJ" and is_at_end and list(tags[max(0, position - 5) : position - 2]) in items
         is_noun = tag == "VERB" and NOUN in parts_of_speech(form) and not vocabulary.verbs_beginning_with(form.lower())
         if is_noun and (is_item or is_last):
             found = (*found, Retag(position, "NOUN", "NN", "Number=Sing"))
@@ -352,14 +370,15 @@ def contracted_verbs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
 
 def verbs_of_conditions(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a verb behind the subject of a condition that the tagger took for a noun: "when Bob *leaves* the office",
-    "tell me if Bob *leaves*"."""
+    "tell me if Bob *leaves*", "say hello when the bell *rings*"."""
     return tuple(
         Retag(position, "VERB", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin", lemma)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "NOUN" and form.endswith("s") and position > 2
-        if tags[position - 2] in ("PROPN", "PRON")
         if position == len(forms) or tags[position] in ("DET", "PUNCT", "CCONJ")
-        if forms[position - 3].lower() in _CONDITIONS
+        for subject in [2 if tags[position - 3 : position - 1] == ["DET", "NOUN"] else 1]
+        if tags[position - 2] in ("PROPN", "PRON") or subject == 2
+        if position > 1 + subject and forms[position - 2 - subject].lower() in _CONDITIONS
         for lemma in [next((base for base in (form[:-1], form[:-2]) if VERB in parts_of_speech(base)), "")]
         if lemma
     )
@@ -388,7 +407,7 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         if position == len(forms)
         or tags[position] in ("PUNCT", "CCONJ", "INTJ")
         or (tags[position] == "ADV" and frozenset(tags[position + 1 :]) <= {"PUNCT"})
-        or (form.lower() in _CHANGED and tags[position] == "ADP")
+        or (form.lower() in _CHANGED and (tags[position] == "ADP" or forms[position].lower() in _CONDITIONS))
     )
 
 
