@@ -120,6 +120,11 @@ class _Finder:
                 found.append(joint)
                 place = end
                 continue
+            checked = shipped_links().check_at(self.forms[place:])
+            if checked:
+                # "At six, check if it is open": what is to be found out is no condition.
+                place += checked
+                continue
             link, length = shipped_links().link_at(self.forms[place:])
             is_last = self._is_end(place + length)
             is_number = is_last and self.forms[place + length - 1] in _TIMES  # "Only once".

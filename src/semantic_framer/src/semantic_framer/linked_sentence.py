@@ -28,7 +28,7 @@ from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.clauses import find_clauses
-from utterance_passes.tree import ASIDE, QUOTATION_MARKS, DependencyTree, Word
+from utterance_passes.tree import ASIDE, QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 from word_classes import word_class
 
@@ -316,6 +316,8 @@ def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequenc
                 continue
             words = [sentence.word(index) for index in sorted(argument.positions)]
             place = _condition_behind(words) or _time_behind(sentence, words)
+            if place and words[place].deprel == QUOTED and sentence.word(words[place].head).deprel == "xcomp":
+                continue  # "Tell Bob to wait until I come back": he waits, and it takes no time to tell him.
             if place and not _is_marked(sentence, words[-1].index):
                 said = sentence.text([word.index for word in words[place:]]).strip(" ,.!?")
                 return Question("AMBIGUOUS", which_of_it(said))

@@ -4,14 +4,16 @@ from typing import Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.persons import is_likely, is_person_or_name
-from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree import ASIDE, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
 _BACK = word_class("way_adverbs")
 _CONDITIONS = word_class("conditions")
+_CONTENTS = frozenset(["ccomp", "xcomp"])
 _DEEDS = word_class("opinion_subjects")
+_HEARERS = word_class("hearers")
 _HERE = word_class("here_and_there")
 _MANNERS = word_class("manner_adverbs")
 _NOT = word_class("not")
@@ -19,6 +21,7 @@ _ONES = word_class("noun_standins")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _SIDES = word_class("opposite_sides")
 _SPEAKERS = word_class("speaker_subjects")
+_UNTIL = frozenset(["until", "till"])
 
 
 def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -312,4 +315,37 @@ def with_phrases_behind_joints(tree: DependencyTree, _: Vocabulary) -> Dependenc
             points_back = is_set_off and phrase.form.lower() in _DEEDS
             if is_between and (points_back or (joints and joints[0] < phrase.index)):
                 edit.rehang(phrase.index, verb.index)
+    return edit.tree()
+
+
+def with_conditions_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach when the hearer does something to the command, not to what is found out: "make sure that
+    the door is closed *before you go*"."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        subjects = [child.form.lower() for child in tree.children(clause.index) if child.deprel == "nsubj"]
+        if clause.deprel != "advcl" or not _mark(tree, clause) or not subjects or subjects[0] not in _HEARERS:
+            continue
+        inner = tree.word(clause.head)
+        top = inner
+        while top.head and top.deprel in _CONTENTS:
+            top = tree.word(top.head)
+        is_command = not any(child.deprel.startswith("nsubj") for child in tree.children(top.index))
+        is_behind = clause.index > inner.index > top.index
+        if is_behind and is_command and top.upos == "VERB" and vocabulary.speech_of(top.lemma.lower()) is None:
+            edit.rehang(clause.index, top.index)
+    return edit.tree()
+
+
+def with_bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Leave how long somebody else is to do something in what that person is told: "tell Bob to wait *until I come
+    back*". To tell him takes no time."""
+    edit = TreeEdit(tree)
+    for clause in tree.words:
+        inner = tree.word(clause.head) if clause.head and clause.deprel == "advcl" else clause
+        mark = _mark(tree, clause)
+        is_bound = mark is not None and mark.form.lower() in _UNTIL and inner.deprel == "xcomp"
+        if is_bound and vocabulary.speech_of(tree.word(inner.head).lemma.lower()) is not None:
+            for index in tree.subtree(clause.index):
+                edit.rehang(index, inner.index, QUOTED)
     return edit.tree()

@@ -61,6 +61,28 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_conditions_joined,
     ),
     TreePass(
+        "conditions_of_hearers",
+        "Attach when the hearer does something to the command, not to a clause in it.",
+        Example(
+            "check|VERB|0|root if|SCONJ|4|mark it|PRON|4|nsubj rains|VERB|1|ccomp before|SCONJ|7|mark you|PRON|7|nsubj "
+            "go|VERB|4|advcl",
+            ("go: advcl(rains) -> advcl(check)",),
+        ),
+        Stage.FRAMER,
+        joined.with_conditions_of_hearers,
+    ),
+    TreePass(
+        "bounds_of_messages",
+        "Leave how long somebody else is to do something in what that person is told.",
+        Example(
+            "tell|VERB|0|root Bob|PROPN|1|iobj to|PART|4|mark wait|VERB|1|xcomp until|SCONJ|6|mark noon|NOUN|4|advcl",
+            ("until: mark(noon) -> flat:quoted(wait)", "noon: advcl(wait) -> flat:quoted(wait)"),
+            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+        ),
+        Stage.FRAMER,
+        joined.with_bounds_of_messages,
+    ),
+    TreePass(
         "phrases_behind_joints",
         "Attach a phrase between a conjunction and a verb to that verb.",
         Example(

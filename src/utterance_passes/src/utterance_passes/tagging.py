@@ -407,7 +407,8 @@ def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         if position == len(forms)
         or tags[position] in ("PUNCT", "CCONJ", "INTJ")
         or (tags[position] == "ADV" and frozenset(tags[position + 1 :]) <= {"PUNCT"})
-        or (form.lower() in _CHANGED and (tags[position] == "ADP" or forms[position].lower() in _CONDITIONS))
+        or forms[position].lower() in _CONDITIONS
+        or (form.lower() in _CHANGED and tags[position] == "ADP")
     )
 
 
