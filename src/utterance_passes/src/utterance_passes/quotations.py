@@ -8,6 +8,7 @@ lexical unit whose frame has a *Message*, in FrameNet's terms.
 from typing import Dict, FrozenSet, Iterable, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.comparisons import ends_comparison
 from utterance_passes.persons import is_person, is_person_or_name
 from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
@@ -112,6 +113,8 @@ class _Quotation:
         inside = self._without_addressee(self._between_marks() or self._without_condition(self._governed()))
         if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
+        if ends_comparison(tree, inside):
+            return tree  # "Inform Bob as soon as possible" has no message.
         edit = TreeEdit(tree)
         head = self._head(inside)
         first = self._tree.word(min(inside))
