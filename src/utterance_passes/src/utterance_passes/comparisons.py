@@ -27,13 +27,6 @@ def without_comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
         tree = _set_aside(tree, *found, verb)
 
 
-def ends_comparison(tree: DependencyTree, inside: FrozenSet[int]) -> bool:
-    """Whether some words are only a comparison, or the end of one: "as soon *as possible*"."""
-    forms = [word.form.lower() for word in tree.words[: max(inside)]]
-    starts = range(max(0, min(inside) - _LONGEST), min(inside))
-    return any(_COMPARISONS.fullmatch(" ".join(forms[start:])) is not None for start in starts)
-
-
 def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: int) -> DependencyTree:
     inside = said | ({adverb} - {0})
     edit = TreeEdit(tree)

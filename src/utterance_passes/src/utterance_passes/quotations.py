@@ -8,7 +8,7 @@ lexical unit whose frame has a *Message*, in FrameNet's terms.
 from typing import Dict, FrozenSet, Iterable, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
-from utterance_passes.comparisons import ends_comparison
+from utterance_passes.formula_file import pattern_of
 from utterance_passes.persons import is_person, is_person_or_name
 from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
@@ -19,6 +19,7 @@ from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
 _AFTER_NO = word_class("after_no")
+_COMPARISONS = pattern_of("comparisons")
 _CONDITIONS = word_class("conditions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
 _COURTESIES = word_class("courtesies")
@@ -113,8 +114,10 @@ class _Quotation:
         inside = self._without_addressee(self._between_marks() or self._without_condition(self._governed()))
         if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
-        if ends_comparison(tree, inside):
-            return tree  # "Inform Bob as soon as possible" has no message.
+        # "Inform Bob as soon *as possible*" has no message.
+        behind = [word.form.lower() for word in tree.words[self._start - 1 : max(inside)]]
+        if any(_COMPARISONS.fullmatch(" ".join(behind[first:])) for first in range(len(behind) - len(inside) + 1)):
+            return tree
         edit = TreeEdit(tree)
         head = self._head(inside)
         first = self._tree.word(min(inside))
