@@ -23,7 +23,14 @@ _NEVER_OWNERS = word_class("pronouns_before_is")
 _OBJECTS = word_class("object_beginnings")
 _PARTICLES = word_class("verb_particles")
 #: Tags of the last two words of an object or a place before "and".
-_PHRASE_ENDS = (("DET", "NOUN"), ("DET", "ADJ"), ("ADP", "PROPN"), ("ADP", "NUM"), ("VERB", "PROPN"))
+_PHRASE_ENDS = (
+    ("DET", "NOUN"),
+    ("PRON", "NOUN"),
+    ("DET", "ADJ"),
+    ("ADP", "PROPN"),
+    ("ADP", "NUM"),
+    ("VERB", "PROPN"),
+)
 #: The type of what can be counted, brought or wanted beside another thing.
 _TOUCHED = ("Physical_entity", "Information")
 _PERSONS = word_class("personal_subjects")
@@ -64,25 +71,21 @@ def _imperative(position: int) -> Retag:
 
 def verbs_behind_commas(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
     """Tag a verb of the lexicon behind a comma as a verb that the tagger took for a noun: "find Anna, *spot* Bob"."""
-    said = [form.lower() for form in forms]
+    said, tags = [form.lower() for form in [*forms, ""]], [*tags, "PUNCT"]
     if command_verb_position(forms, vocabulary) is None and said[0] not in _CONDITIONS:
         return ()
     return tuple(
         _imperative(position)
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
-        if tag in ("NOUN", "ADJ") and 2 < position < len(forms) and forms[position - 2] == ","
+        if tag in ("NOUN", "ADJ") and position > 2 and forms[position - 2] == ","
         if form.islower() and vocabulary.verbs_beginning_with(form)
         # "The guide, Bob" has no verb, and neither has "room, table and chair". No adjective stands before an article.
         if (tag == "NOUN" and tags[position] == "PROPN" and forms[position - 3].lower() not in _ARTICLES)
         or (tag == "ADJ" and tags[position] in ("DET", "NUM"))
         or _is_to_somebody(said, tags, position)
+        or _is_event_at_end(form, tags, position)
         # "If it rings, *report* back to Anna."
-        or (
-            tag == "NOUN"
-            and forms[position].lower() in _PARTICLES
-            and tags[position] != "VERB"
-            and said[0] in _CONDITIONS
-        )
+        or (tag == "NOUN" and said[position] in _PARTICLES and tags[position] != "VERB" and said[0] in _CONDITIONS)
     )
 
 
