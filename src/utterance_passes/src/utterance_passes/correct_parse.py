@@ -286,8 +286,10 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_thing(tree: DependencyTree, word: Word) -> bool:
-    """Whether "one" is a thing and no number: "next to *the right one*", "*your left one*" at the end."""
-    is_last = all(other.upos == "PUNCT" for other in tree.words[word.index :])
+    """Whether "one" is a thing and no number: "next to *the right one*", "*your left one* and go home"."""
+    behind = tree.words[word.index : word.index + 3]
+    is_last = all(other.upos in ("PUNCT", "CCONJ") for other in behind[:1])
+    is_last &= not any(other.form.lower() in number_words() for other in behind)
     is_one = word.form.lower() == "one" and any(
         child.deprel in ("det", "nmod:poss") for child in tree.children(word.index)
     )

@@ -5,6 +5,7 @@ from typing import Optional, Sequence, Tuple
 
 from semantic_types import Fit, shipped_types
 from semantic_types.parts_of_speech import ADJECTIVE, ADVERB, NOUN, VERB, parts_of_speech
+from spoken_quantities import number_words
 from utterance_passes.amounts import SIGNS
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
@@ -20,6 +21,7 @@ _DO = word_class("forms_of_do")
 _AUXILIARIES = word_class("forms_of_have") | _DO
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
+_NUMBER_WORDS = frozenset(number_words())
 _OBJECTS = word_class("object_beginnings")
 _PARTICLES = word_class("verb_particles")
 #: Tags of the last two words of an object or a place before "and".
@@ -194,13 +196,15 @@ def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
 
 
 def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag a number behind an article and an adjective as a noun: "give me a low *five*", "take the right *one*"."""
+    """Tag a number behind an article and an adjective as a noun: "a low *five*", "the right *one*", but not
+    "turn to the left *one* oh five degrees", where the number goes on."""
     return tuple(
         Retag(position, "NOUN", "NN", "Number=Sing")
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag == "NUM" and position > 2 and tags[position - 2] == "ADJ"
         if forms[position - 3].lower() in (_DETERMINERS if form.lower() == "one" else ("a",))
         if position == len(tags) or tags[position] in ("PUNCT", "INTJ", "CCONJ")
+        if not frozenset(word.lower() for word in forms[position : position + 3]) & _NUMBER_WORDS
     )
 
 
