@@ -104,6 +104,7 @@ _REPLACING, _ASKING = (shipped_fragments()[name] for name in ("replacing", "aski
 _OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING))
 _OPENINGS_OF_QUESTIONS = any_of((*shipped_fragments()["openings"], *_ASKING))
 _ENDINGS = any_of(shipped_fragments()["endings"])
+_INSTEAD = any_of(_REPLACING)
 _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
     (kind, any_of(shipped_fragments()[name]))
     for kind, name in (
@@ -153,7 +154,7 @@ def fragment_of(
     if core in _LEFT_AND_RIGHT:
         # The parser takes "left" for a verb.
         return Fragment(FragmentKind.ELEMENTS, positions)
-    is_instead = any_of(_REPLACING).search(" ".join(forms[:first])) is not None
+    is_instead = _INSTEAD.search(" ".join(forms[:first])) is not None
     verbs = [clause for clause in clauses if not is_instead or clause.verb in positions]
     if any(match_verbs(tree, clause, known) for clause in verbs) or frozenset(forms[first:last]) & _NO_FRAGMENT:
         return None
