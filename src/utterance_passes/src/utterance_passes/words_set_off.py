@@ -1,13 +1,13 @@
 """Separates words behind a comma from the phrase before it: "go to the wall, *photo*", "turn left, *honey*"."""
 
 from semantic_types import Fit, shipped_types
+from utterance_passes.clauses import verb_above
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ADDRESSED = word_class("those_addressed") | word_class("robots")
-_ARTICLES = word_class("determiners_and_possessives")
 _OF_NOUNS = frozenset(["conj", "appos"])
 _SET_OFF = frozenset(["vocative", "obj"]) | _OF_NOUNS
 #: Types of whoever is spoken to.
@@ -27,11 +27,11 @@ def with_words_set_off(tree: DependencyTree, vocabulary: Vocabulary) -> Dependen
         head = tree.word(noun.head)
         if _is_addressed(noun):
             if noun.deprel in _OF_NOUNS and _has_article(tree, head):
-                edit.rehang(noun.index, _verb_above(tree, noun).index, "vocative")
+                edit.rehang(noun.index, verb_above(tree, noun).index, "vocative")
         elif noun.deprel == "vocative" or (noun.deprel == "obj" and noun.index > head.index + 2):
             edit.relabel(noun.index, "parataxis")
         elif noun.deprel in _OF_NOUNS and _has_article(tree, head):
-            edit.rehang(noun.index, _verb_above(tree, noun).index, "parataxis")
+            edit.rehang(noun.index, verb_above(tree, noun).index, "parataxis")
     return edit.tree()
 
 
@@ -71,10 +71,3 @@ def _has_article(tree: DependencyTree, noun: Word) -> bool:
 def _is_said(tree: DependencyTree, noun: Word, vocabulary: Vocabulary) -> bool:
     """Whether a noun belongs to a message."""
     return any(vocabulary.speech_of(word.lemma.lower()) is not None for word in tree.words[: noun.index])
-
-
-def _verb_above(tree: DependencyTree, noun: Word) -> Word:
-    word = tree.word(noun.head)
-    while word.head and word.upos != "VERB":
-        word = tree.word(word.head)
-    return word
