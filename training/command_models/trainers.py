@@ -30,14 +30,18 @@ class Effort:
     settle_tagger: int = 500  # the tagger's last ones, at a fifth
 
 
-def _module(name: str, options: str) -> List[str]:
+def _module(name: str, options: str = "") -> List[str]:
     return [sys.executable, "-m", "stanza." + name] + options.split()
+
+
+def _trainer(name: str, options: str = "") -> List[str]:
+    return [sys.executable, "-m", "command_models.reproducible", name] + options.split()
 
 
 def tokenizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
     """Tokenizer over running text and character labels."""
-    return _module(
-        "models.tokenizer",
+    return _trainer(
+        "stanza.models.tokenizer",
         "--mode train --lang en --shorthand en_cmd --cpu --use_mwt --max_seqlen 200 "
         "--batch_size 32 --eval_steps 500 --max_steps_before_stop 3000 --last_char_drop_prob 0.3",
     ) + [
@@ -68,8 +72,8 @@ def tokenizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
 
 def mwt(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
     """Multi-word token expander ("Roger's", "don't")."""
-    return _module(
-        "models.mwt_expander", "--mode train --lang en --shorthand en_cmd --cpu --hidden_dim 50 --emb_dim 32"
+    return _trainer(
+        "stanza.models.mwt_expander", "--mode train --lang en --shorthand en_cmd --cpu --hidden_dim 50 --emb_dim 32"
     ) + [
         "--num_epoch",
         str(effort.mwt),
@@ -92,8 +96,8 @@ def mwt(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
 
 def lemmatizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
     """Lemmatizer; pos_dim has to equal emb_dim in this version of Stanza."""
-    return _module(
-        "models.lemmatizer",
+    return _trainer(
+        "stanza.models.lemmatizer",
         "--mode train --shorthand en_cmd --cpu --decay_epoch 10 --hidden_dim 100 "
         "--emb_dim 40 --pos_dim 40 --batch_size 100",
     ) + [
@@ -114,8 +118,8 @@ def lemmatizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]
 
 def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
     """Tagger; spoken sentences have no features and form a second file, which trains no feature head."""
-    return _module(
-        "models.tagger",
+    return _trainer(
+        "stanza.models.tagger",
         "--mode train --lang en --shorthand en_ewt --cpu --word_cutoff 2 --dropout 0.3 "
         "--word_dropout 0.2 --hidden_dim 200 --num_layers 1 --char_hidden_dim 80 --char_emb_dim 40 "
         "--deep_biaff_hidden_dim 100 --composite_deep_biaff_hidden_dim 50 --word_emb_dim 75 "
@@ -148,7 +152,7 @@ def settled_tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[
 def _settled(
     kind: str, source: str, target: str, data: Path, models: Path, steps: int, seed: int, train: List[Path]
 ) -> List[str]:
-    command = [sys.executable, "-m", "command_models.settling", kind]
+    command = _trainer("command_models.settling") + [kind]
     files = [models / source, models / target, models / "vectors.pt", data / "mixed.dev.conllu"]
     return command + [str(path) for path in files] + [str(steps), str(seed)] + [str(path) for path in train]
 
@@ -177,7 +181,7 @@ def _parser_files(data: Path, models: Path) -> List[str]:
 def parser(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
     """Parser at full learning rate; its scores still rise at the end."""
     steps = ["--max_steps", str(effort.parser), "--seed", str(seed), *_named("parser-full")]
-    command = _module("models.parser", _PARSER + "--lr 0.002 --eval_interval 300")
+    command = _trainer("stanza.models.parser", _PARSER + "--lr 0.002 --eval_interval 300")
     return command + steps + _parser_files(data, models)
 
 
@@ -185,7 +189,7 @@ def settled_parser(data: Path, models: Path, effort: Effort, seed: int) -> List[
     """The best parser so far, trained further at a quarter of the learning rate."""
     steps = ["--max_steps", str(effort.settle), "--seed", str(seed + 1), *_named("parser-settled")]
     source = ["--continue_from", str(models / "parser-full.pt")]
-    command = _module("models.parser", _PARSER + "--lr 0.0005 --eval_interval 150")
+    command = _trainer("stanza.models.parser", _PARSER + "--lr 0.0005 --eval_interval 150")
     return command + steps + source + _parser_files(data, models)
 
 
@@ -209,26 +213,27 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
     commands: List[Tuple[List[str], str]] = []
     for part in ("train", "dev"):
         stem = data.resolve() / ("mixed." + part)
-        commands.append((_module("utils.datasets.conllu_to_text", "") + [f"{stem}.conllu", f"{stem}.txt"], part))
+        commands.append((_module("utils.datasets.conllu_to_text") + [f"{stem}.conllu", f"{stem}.txt"], part))
         commands.append(
             (
-                _module("utils.datasets.prepare_tokenizer_data", "")
+                _module("utils.datasets.prepare_tokenizer_data")
                 + [f"{stem}.txt", f"{stem}.conllu", "-o", f"{stem}.toklabels", "-m", f"{stem}.mwt.json"],
                 part,
             )
         )
     stem = data.resolve() / "mixed.dev"
     commands.append(
-        (_module("utils.datasets.contract_mwt", "") + [f"{stem}.conllu", f"{stem}.contracted.conllu"], "dev")
+        (_module("utils.datasets.contract_mwt") + [f"{stem}.conllu", f"{stem}.contracted.conllu"], "dev")
     )
     return commands
 
 
 #: The kernels of torch, oneDNN, MKL and OpenBLAS that every processor with AVX2 has. MKL offers only "COMPATIBLE" to
-#: all makes. OpenBLAS, which SciPy brings along, trains the word vectors.
+#: all makes; ``reproducible`` replaces what differs even there. OpenBLAS, which SciPy brings along, trains the word
+#: vectors.
 ARITHMETIC = {
     "ATEN_CPU_CAPABILITY": "avx2",
-    "ONEDNN_MAX_CPU_ISA": "AVX2",
+    "ONEDNN_MAX_CPU_ISA": "AVX",
     "MKL_CBWR": "COMPATIBLE",
     "OPENBLAS_CORETYPE": "Haswell",
 }
