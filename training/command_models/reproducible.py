@@ -25,7 +25,7 @@ def main() -> None:
     """Run a module as a program whose optimisers take exact roots."""
     import torch
 
-    torch.Tensor.sqrt = exact_square_root  # type: ignore[method-assign]
+    torch.Tensor.sqrt = exact_square_root
     del sys.argv[0]
     runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)
 

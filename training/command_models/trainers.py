@@ -222,9 +222,7 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
             )
         )
     stem = data.resolve() / "mixed.dev"
-    commands.append(
-        (_module("utils.datasets.contract_mwt") + [f"{stem}.conllu", f"{stem}.contracted.conllu"], "dev")
-    )
+    commands.append((_module("utils.datasets.contract_mwt") + [f"{stem}.conllu", f"{stem}.contracted.conllu"], "dev"))
     return commands
 
 

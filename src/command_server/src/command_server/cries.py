@@ -409,7 +409,7 @@ NO_NAMES: FrozenSet[str] = frozenset(
         "a an the this that these those my your his her its our their two next last first second final only "
         "nice good short long quick brief bus tram train taxi truck pit door coach metro subway rest full non "
         "toilet coffee deep press push click never not to and or then who what when where why how which if "
-        "once until till unless whenever after before always often hardly barely usually sometimes i we he she "
+        "once until till unless whenever while after before always often hardly barely usually sometimes i we he she "
         "it they do did does will would can could shall should may might must am is are was were be been has "
         "have had at by in on near about into from of for with no"
     ).split()

@@ -110,6 +110,7 @@ class Thing:
         role: the part that it had in what was last done with it; see ``frame_roles.part_of``
         is_plural: whether it is more than one: "the cups", "the cup and the plate"
         phrases: what named it, one for each item of a list; empty if it filled no element
+        is_only_told_of: whether it was only part of what was to be said: "tell Bob that the mug is dirty"
     """
 
     text: str
@@ -117,6 +118,7 @@ class Thing:
     role: str = ""
     is_plural: bool = False
     phrases: Tuple[TypedArgument, ...] = ()
+    is_only_told_of: bool = False
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,8 @@ STATED: Mapping[str, bool] = {"Unconfirmed_content": False, "Desired_state": Tru
 STATED_OF: FrozenSet[str] = frozenset(["Ground"])
 #: What is said or asked of things, and is none itself.
 CONTENTS: FrozenSet[str] = frozenset([*STATED, "Content"])
+#: The words that are said or found out, which are about things.
+SAID: FrozenSet[str] = frozenset(["Content", MESSAGE])
 #: What is opened and closed again: the door, and what the door belongs to.
 _OPENED = frozenset(["Container_portal", "Containing_object"])
 #: The part of all of these.

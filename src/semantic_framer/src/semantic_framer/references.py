@@ -9,7 +9,7 @@ from phrase_meanings.head_words import ONES
 from referring_expressions.describing import plural_of
 from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
-from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, THINGS, part_of
+from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, SAID, THINGS, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
@@ -21,6 +21,7 @@ from spoken_quantities.numbers import find_whole_number
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.persons import is_person
+from utterance_passes.tree import Word
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
@@ -39,6 +40,9 @@ _OF = "of"
 _BEFORE_PARTS = word_class("determiners_of_all") | word_class("determiners_of_any") | frozenset(["of"])
 _DEFINITE = word_class("determiners_and_possessives") - word_class("indefinite_articles")
 _QUESTION_WORDS = word_class("question_words")
+_ASKING = _QUESTION_WORDS | {"many", "much"}
+_BEFORE_NOUNS = ("ADJ", "ADV", "DET", "NOUN", "NUM", "PRON")
+_PARTS_OF_NOUNS = ("compound", "nmod:poss", "flat")
 _SAME = frozenset(["the same", "the same thing"])
 _SIDES = word_class("left_and_right")
 _PARTS = word_class("sides") - _SIDES
@@ -198,10 +202,18 @@ def _meant_by(
     part: str,
     types: WordTypes,
 ) -> Optional[Thing]:
-    """Return what "it" or "them" stands for, a thing of that number if there is one; None if nothing was mentioned."""
+    """Return what "it" or "them" stands for, a thing of that number if there is one.
+
+    None if nothing was mentioned, or a thing was told of behind one with which something was done: "take the cup, tell
+    Bob that the plate is dirty and wash *it*".
+    """
     is_plural = pronoun in _PLURAL
     of_number = [one for one in things if one.is_plural is is_plural]
     thing = _thing_meant(of_number or things, accepted, part, types)
+    if thing is not None and thing.is_only_told_of:
+        done = [one for one in of_number if not one.is_only_told_of]
+        if any(not accepted or types.of_noun([one.noun]).fit(accepted) is not Fit.WRONG for one in done):
+            return None
     wanted = _TYPES_OF_WHAT_HOLDS.get(part, ())
     if not is_plural and _is_rather_there(place, thing if of_number else None, wanted, types):
         return place
@@ -302,9 +314,44 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     return Thing(sentence.text(sorted(sentence.subtree(things[0].index))), things[0].lemma.lower())
 
 
+def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
+    """Return the subject of a clause that is to be said or found out; None if it is no thing, or there is no clause.
+
+    Args:
+        said: the words of the clause: "where *my keys* are", "how many *cups* he needs"
+        sentence: the sentence; what is quoted has lost its relations there, so only the order of words counts
+    """
+    words = [sentence.word(position) for position in said.positions if 0 < position <= len(sentence.tree.words)]
+    before = [*takewhile(lambda word: word.upos not in ("VERB", "AUX"), words)]
+    nouns = [word for word in before if word.upos == "NOUN" and word.deprel not in _PARTS_OF_NOUNS]
+    if len(before) == len(words) or not nouns or is_person(nouns[-1]) or not _ends_phrase(nouns[-1], before):
+        return None
+    noun = nouns[-1]
+    named = [*takewhile(lambda word: word.upos in _BEFORE_NOUNS, reversed(before[: before.index(noun)]))][::-1]
+    asked = [place for place, word in enumerate(named) if word.form.lower() in _ASKING]
+    named = named[max(asked, default=-1) + 1 :]
+    text = sentence.text([word.index for word in [*named, noun]])
+    if asked and not (named and named[0].upos in ("DET", "PRON")):
+        text = f"the {text}"
+    is_plural = noun.xpos in ("NNS", "NNPS")
+    phrase = TypedArgument(text=text, head=noun.form, lemma=noun.lemma.lower(), is_plural=is_plural)
+    return Thing(text, noun.lemma.lower(), is_plural=is_plural, phrases=(phrase,), is_only_told_of=True)
+
+
+def _ends_phrase(noun: Word, before: Iterable[Word]) -> bool:
+    behind = [word for word in before if word.index > noun.index]
+    return all(word.upos in ("PRON", "ADV", "PROPN") for word in behind)
+
+
 def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
     """Remember the things, the place and the persons that a reading mentions."""
-    context = _remember(frames[reading.unit.frame_name], reading.arguments, frames, context)
+    frame = frames[reading.unit.frame_name]
+    context = _remember(frame, reading.arguments, frames, context)
+    for value in reading.arguments:
+        element = frame.element(value.name)
+        is_said = element is not None and element.framenet in SAID
+        said = thing_said(value, sentence) if is_said else None
+        context = context.with_thing(said) if said is not None else context
     return context.with_persons(persons_mentioned(reading.arguments, sentence))
 
 
@@ -322,7 +369,9 @@ def _remember(
                 if said.frame_name in frames:
                     context = _remember(frames[said.frame_name], said.frame_elements, frames, context)
             continue
-        if value.text.lower() in _QUESTION_WORDS | _HERE_AND_THERE:
+        if value.text.lower().split()[0] in _QUESTION_WORDS:
+            continue  # "How many": it asks for a thing, and is none.
+        if value.text.lower() in _HERE_AND_THERE:
             continue  # "Put the cup here and the plate there": "there" is another place than "here".
         if (element.framenet == "Category" and not value.quantifier) or element.framenet in _STATES:
             continue  # "The floor is dirty, clean it": dirty is no thing.

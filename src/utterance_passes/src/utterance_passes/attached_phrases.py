@@ -2,7 +2,6 @@
 
 from typing import FrozenSet, Optional
 
-from semantic_types.parts_of_speech import VERB, parts_of_speech
 from spoken_quantities import find_unit
 from utterance_passes.clauses import has_case, verb_above
 from utterance_passes.persons import is_person_or_name
@@ -17,7 +16,6 @@ _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
 _HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE = word_class("indefinite_articles")
-_INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _ONES = word_class("noun_standins")
 #: Relations of "one" to the thing, or to its verb.
@@ -166,45 +164,6 @@ def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
             edit.rehang(whole.index, pronoun.index, "det")
             if whole.deprel == "obj":
                 edit.relabel(pronoun.index, "obj")
-    return edit.tree()
-
-
-def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a clause of what something is for: "something *to drink*" is brought to no place.
-
-    Whoever gets it, and what follows, belongs to the verb: "offer something to eat *to all the women in the kitchen*".
-    """
-    edit = TreeEdit(tree)
-    for use in tree.words:
-        case = tree.word(use.index - 1) if use.index > 1 else use
-        thing = tree.word(use.index - 2) if use.index > 2 else use
-        if thing.form.lower() not in _INDEFINITE_THINGS:
-            continue
-        is_of_thing = use.deprel == "acl" and use.head == thing.index
-        is_of_verb = use.deprel == "xcomp" and use.head == thing.head and tree.is_infinitive(use.index)
-        if thing.deprel == "obj" and (is_of_thing or is_of_verb):
-            phrases = [child for child in tree.children(use.index) if child.index > use.index]
-            given = [phrase.index for phrase in phrases if _has_case(tree, phrase, _TO)]
-            if given and is_of_verb:
-                edit.rehang(use.index, thing.index, "acl")
-            for phrase in phrases:
-                if given and phrase.index >= given[0] and phrase.deprel == "obl":
-                    edit.rehang(phrase.index, thing.head)
-            continue
-        is_to = case.deprel in ("case", "mark") and case.head == use.index and case.form.lower() == "to"
-        is_bare = use.upos in ("NOUN", "VERB") and len(tree.children(use.index)) == 1
-        if (
-            is_to
-            and is_bare
-            and use.head in (thing.index, thing.head, tree.word(thing.head).head)
-            and use.deprel not in ("acl", "xcomp", "advcl")
-            and use.form == use.lemma
-            and VERB in parts_of_speech(use.lemma)
-        ):
-            edit.tag(use.index, "VERB", "VB", "VerbForm=Inf")
-            edit.rehang(use.index, thing.index, "acl")
-            edit.retag(case.index, "PART", "TO")
-            edit.relabel(case.index, "mark")
     return edit.tree()
 
 

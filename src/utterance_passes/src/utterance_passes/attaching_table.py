@@ -85,19 +85,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_wholes_at_pronouns,
     ),
     TreePass(
-        "purposes_of_things",
-        'Make a clause of what something is for: "something to drink".',
-        Example(
-            "bring|VERB|0|root something|PRON|1|obj to|ADP|4|case drink|NOUN|1|obl",
-            (
-                "to: case(drink) ADP/to -> mark(drink) PART/to",
-                "drink: obl(bring) NOUN/drink -> acl(something) VERB/drink",
-            ),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_purposes_of_things,
-    ),
-    TreePass(
         "exceptions",
         'Take what stands behind "but" out of all things: "anything but beer".',
         Example(

@@ -2,7 +2,15 @@
 
 from typing import Tuple
 
-from utterance_passes import additions, attached_phrases, bounded_counts, correct_parse, relations, wished_results
+from utterance_passes import (
+    additions,
+    attached_phrases,
+    bounded_counts,
+    correct_parse,
+    purposes,
+    relations,
+    wished_results,
+)
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -210,5 +218,28 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_predicates_as_clauses,
+    ),
+    TreePass(
+        "purposes_of_things",
+        'Make a clause of what something is for: "something to drink".',
+        Example(
+            "bring|VERB|0|root something|PRON|1|obj to|ADP|4|case drink|NOUN|1|obl",
+            (
+                "to: case(drink) ADP/to -> mark(drink) PART/to",
+                "drink: obl(bring) NOUN/drink -> acl(something) VERB/drink",
+            ),
+        ),
+        Stage.FRAMER,
+        purposes.with_purposes_of_things,
+    ),
+    TreePass(
+        "purposes_of_deeds",
+        "Attach a purpose behind a certain thing to the deed.",
+        Example(
+            "open|VERB|0|root the|DET|3|det window|NOUN|1|obj to|PART|5|mark air|VERB|3|acl room|NOUN|5|obj",
+            ("air: acl(window) -> advcl(open)",),
+        ),
+        Stage.FRAMER,
+        purposes.with_purposes_of_deeds,
     ),
 )

@@ -17,6 +17,8 @@ _PRONOUNS = (
     | word_class("female_pronouns")
     | word_class("pronouns_of_persons_or_things")
 ) - word_class("demonstrative_pronouns")
+_MODALS = word_class("modals")
+_PERSONS = word_class("personal_subjects")
 _SUBJECTS = ("nsubj", "nsubj:pass", "expl")
 
 
@@ -58,8 +60,14 @@ def _is_spoken_of(tree: DependencyTree, clause: Word) -> bool:
 def _is_reason(tree: DependencyTree, clause: Word) -> bool:
     children = tree.children(clause.index)
     first = tree.word(_first(tree, clause))
-    is_marked = first.head == clause.index and first.form.lower() in _REASONS
+    is_marked = first.head == clause.index and (first.form.lower() in _REASONS or _is_for_somebody(first, children))
     return is_marked and _has_subject(children) and not _holds_command(tree, clause)
+
+
+def _is_for_somebody(first: Word, children: Sequence[Word]) -> bool:
+    """Whether a clause says what a person can do then: "so that I can see", but not "so that it faces the wall"."""
+    is_persons = any(child.deprel in _SUBJECTS and child.form.lower() in _PERSONS for child in children)
+    return first.form.lower() == "so" and is_persons and any(child.form.lower() in _MODALS for child in children)
 
 
 def _has_subject(children: Sequence[Word]) -> bool:

@@ -34,8 +34,8 @@ _SAYING = word_class("saying_verbs")
 #: The most words of a formula.
 _LONGEST = 14
 _MARKS = (".", "?", "!")
-#: Marks behind a formula: "do me a favour: open the door".
-_BREAKS = (",", ":")
+#: Marks behind a formula: "do me a favour: open the door", "good job! Open the door".
+_BREAKS = (",", ":", ".", "!")
 #: The end of a formula behind which the verb may have any form: "it would be great if you *opened* the door".
 _SUPPOSING = " if you"
 _TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")

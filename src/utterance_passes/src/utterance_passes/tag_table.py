@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import tagging
+from utterance_passes import listed_nouns, tagging
 from utterance_passes.utterance_pass import Example, Stage, TagPass
 from utterance_passes.vocabulary import Verbs
 
@@ -75,7 +75,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
             Verbs(frozenset(["bring"])),
         ),
         Stage.PARSER,
-        tagging.nouns_in_lists,
+        listed_nouns.nouns_in_lists,
     ),
     TagPass(
         "numbers_as_nouns",

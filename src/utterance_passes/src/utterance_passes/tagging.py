@@ -32,6 +32,7 @@ _PHRASE_ENDS = (
     ("ADP", "PROPN"),
     ("ADP", "NUM"),
     ("VERB", "PROPN"),
+    ("NOUN", "NOUN"),
 )
 #: The type of what can be counted, brought or wanted beside another thing.
 _TOUCHED = ("Physical_entity", "Information")
@@ -42,7 +43,6 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
 _CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
-_JOINTS = frozenset(["and", "or"])
 _INDEFINITE = word_class("indefinite_things")
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -174,25 +174,6 @@ def sides_alone(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabular
             if behind == "PUNCT" or (is_next and behind == "NUM"):
                 found.append(Retag(position, "ADV", "RB"))
     return tuple(found)
-
-
-def nouns_in_lists(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag an item of a list as a noun that the tagger took for a verb: "a knife, *fork* and *spoon*"."""
-    found: Tuple[Retag, ...] = ()
-    for position, (form, tag) in enumerate(zip(forms, tags), start=1):
-        before = tags[position - 2] if position > 1 else ""
-        is_item = before == "PUNCT" and forms[position - 2] == "," and position > 2 and tags[position - 3] == "NOUN"
-        is_item &= position < len(forms) and (forms[position] == "," or forms[position].lower() in _JOINTS)
-        is_last = before == "CCONJ" and bool(found) and found[-1].position == position - 2
-        # "A cup, plate and *fork*", "the knife and *fork*".
-        is_at_end = frozenset(tags[position:]) <= {"PUNCT"}
-        items = (["NOUN", "PUNCT", "NOUN"], ["VERB", "DET", "NOUN"])
-        is_last |= before == "CCONJ" and is_at_end and list(tags[max(0, position - 5) : position - 2]) in items
-        is_noun = tag == "VERB" and NOUN in parts_of_speech(form) and not vocabulary.verbs_beginning_with(form.lower())
-        if is_noun and (is_item or is_last):
-            found = (*found, Retag(position, "NOUN", "NN", "Number=Sing"))
-    # "A cup, polish and store it": somebody polishes it.
-    return found if found and not any(tag == "VERB" for tag in tags[found[-1].position :]) else ()
 
 
 def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:

@@ -1,0 +1,91 @@
+"""Attaches what something is for to the thing or to the deed: "a book *to read*", "open it *to air the room*"."""
+
+from typing import FrozenSet
+
+from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_INDEFINITE_THINGS = word_class("indefinite_things")
+_NOUNS_WITH_TO = word_class("nouns_with_infinitives")
+_CERTAIN = word_class("demonstrative_determiners") | {"the"}
+_TO = frozenset(["to"])
+
+
+def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of what something is for: "something *to drink*" is brought to no place.
+
+    Whoever gets it, and what follows, belongs to the verb: "offer something to eat *to all the women in the kitchen*".
+    """
+    edit = TreeEdit(tree)
+    for use in tree.words:
+        case = tree.word(use.index - 1) if use.index > 1 else use
+        thing = tree.word(use.index - 2) if use.index > 2 else use
+        if thing.form.lower() not in _INDEFINITE_THINGS:
+            continue
+        is_of_thing = use.deprel == "acl" and use.head == thing.index
+        is_of_verb = use.deprel == "xcomp" and use.head == thing.head and tree.is_infinitive(use.index)
+        if thing.deprel == "obj" and (is_of_thing or is_of_verb):
+            phrases = [child for child in tree.children(use.index) if child.index > use.index]
+            given = [phrase.index for phrase in phrases if _has_case(tree, phrase, _TO)]
+            if given and is_of_verb:
+                edit.rehang(use.index, thing.index, "acl")
+            for phrase in phrases:
+                if given and phrase.index >= given[0] and phrase.deprel == "obl":
+                    edit.rehang(phrase.index, thing.head)
+            continue
+        is_to = case.deprel in ("case", "mark") and case.head == use.index and case.form.lower() == "to"
+        is_bare = use.upos in ("NOUN", "VERB") and len(tree.children(use.index)) == 1
+        if (
+            is_to
+            and is_bare
+            and use.head in (thing.index, thing.head, tree.word(thing.head).head)
+            and use.deprel not in ("acl", "xcomp", "advcl")
+            and use.form == use.lemma
+            and VERB in parts_of_speech(use.lemma)
+        ):
+            edit.tag(use.index, "VERB", "VB", "VerbForm=Inf")
+            edit.rehang(use.index, thing.index, "acl")
+            edit.retag(case.index, "PART", "TO")
+            edit.relabel(case.index, "mark")
+    return edit.tree()
+
+
+def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a purpose with an object of its own to the verb if it stands behind a certain thing: "open *the window to
+    air the room*", but "bring me a book to read"."""
+    edit = TreeEdit(tree)
+    for use in tree.words:
+        thing = tree.word(use.head) if use.head else use
+        is_of_thing = use.deprel == "acl" and thing.deprel == "obj" and tree.is_infinitive(use.index)
+        if is_of_thing and _has_object(tree, use) and _is_certain(tree, thing):
+            edit.rehang(use.index, thing.head, "advcl")
+    return edit.tree()
+
+
+def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) -> bool:
+    return any(child.deprel == "case" and child.form.lower() in prepositions for child in tree.children(word.index))
+
+
+def _has_object(tree: DependencyTree, use: Word) -> bool:
+    """Whether a verb has what it acts on, so that the thing before it is not that: not in "a book to read"."""
+    children = tree.children(use.index)
+    # "To let *in* some air", which may look like a place.
+    is_particle = any(
+        child.deprel == "obl"
+        and tree.word(use.index + 1).head == child.index
+        and tree.word(use.index + 1).upos == "ADP"
+        for child in children
+    )
+    return is_particle or any(child.deprel in ("obj", "ccomp", "xcomp") for child in children)
+
+
+def _is_certain(tree: DependencyTree, thing: Word) -> bool:
+    if thing.lemma.lower() in _NOUNS_WITH_TO:
+        return False  # "Show me the way to open the door."
+    return any(
+        child.deprel == "nmod:poss" or (child.deprel == "det" and child.form.lower() in _CERTAIN)
+        for child in tree.children(thing.index)
+    )
