@@ -121,6 +121,9 @@ class Phrases:
 
     def _plain(self, head: int, extent: _Extent, form: ArgumentForm = ArgumentForm.PHRASE, name: str = "") -> _Plain:
         text = self._tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else self._tree.word(head).form
+        begins = self._tree.word(min(extent.bare, default=head) if form is ArgumentForm.PHRASE else head)
+        if begins.upos == "ADV" and begins.form.istitle():
+            text = text[:1].lower() + text[1:]  # "*Carefully* bring me the cup" has a capital for the sentence.
         return _Plain(name, text, self._tree.text_of(extent.positions), extent.positions)
 
     def _described(

@@ -279,9 +279,12 @@ def without_positions(clauses: Clauses) -> Clauses:
 
 def _in_words(reading: Reading) -> str:
     """Return a clause as it was said, or its verb and arguments where a pronoun stands for something else."""
-    said = [value.text for value in reading.arguments if value.positions and value.text.lower() not in _HEARERS]
+    spoken = [value for value in reading.arguments if value.positions and value.text.lower() not in _HEARERS]
+    # "Five minutes" are "5 minutes" for a server.
+    said = [value.words if value.measure is not None else value.text for value in spoken]
     clause = reading.clause_text
     # "'d like the heating off" begins in the middle of a word.
     if clause[:1].isalnum() and all(text.lower() in clause.lower() for text in said):
         return clause[0].lower() + clause[1:]
-    return " ".join([reading.verb, *said])
+    in_order = sorted(spoken, key=lambda value: min(value.positions))
+    return " ".join([reading.verb, *(one.words if one.text in one.words else one.text for one in in_order)])
