@@ -66,7 +66,7 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
     for root in tree.children(0):
         _collect(tree, vocabulary, root, False, found)
     verbs = {index for index, _ in found}
-    tops = {index: _top(tree, index) for index in verbs}
+    tops = {index: _above_serial(tree, _top(tree, index), verbs) for index in verbs}
     clauses = []
     for index, is_negated in sorted(found):
         others: Set[int] = set()
@@ -201,6 +201,13 @@ def _top(tree: DependencyTree, verb: int) -> int:
     """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
     word = tree.word(verb)
     return word.head if word.deprel == "cop" else verb
+
+
+def _above_serial(tree: DependencyTree, top: int, verbs: Set[int]) -> int:
+    """Return the verb that leads a clause inside a sentence: "the bell rings. *Go* and open the door"."""
+    verb = tree.word(tree.word(top).head) if tree.word(top).deprel == "conj" else tree.word(top)
+    is_inside = verb.deprel in ("conj", "parataxis", "list") and verb.index not in verbs
+    return verb.index if is_inside and verb.lemma.lower() in _LEADING_VERBS else top
 
 
 def _collect(
@@ -430,19 +437,4 @@ def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> Fro
             marks = [child.form.lower() for child in tree.children(clause) if child.deprel in ("mark", "advmod")]
             if any(mark in _CONDITIONS for mark in marks):
                 return tree.subtree(clause) if clause != top else frozenset([index])
-    return frozenset()
-
-
-def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSet[int]:
-    """Return the words of a condition inside the thing to find out: "see if it is hot *when I say so*".
-
-    Args:
-        tree: the sentence
-        positions: words of the thing to find out, whichever element they fill
-    """
-    for index in sorted(positions):
-        word = tree.word(index)
-        marks = {child.form.lower() for child in tree.children(index) if child.deprel in ("mark", "advmod")}
-        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
-            return tree.subtree(index)
     return frozenset()

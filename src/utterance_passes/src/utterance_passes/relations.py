@@ -12,6 +12,7 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Speech, Vocabulary, is_verb
 from word_classes import word_class
 
+_INFORMING = word_class("verbs_of_informing")
 _ASKING = word_class("asking_verbs")
 _HANDLING = word_class("verbs_of_handling")
 #: Tags of a verb that may be a command.
@@ -392,8 +393,15 @@ def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> Dependenc
 
 
 def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*"."""
+    """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*". What a
+    person is told about belongs to the verb: "warn the guests *about the dog*"."""
     edit = TreeEdit(tree)
+    for topic in tree.words:
+        hearer = tree.word(topic.head) if topic.head else topic
+        is_about = topic.deprel == "nmod" and "about" in prepositions_of(tree, topic.index)
+        is_told = hearer.deprel in ("obj", "iobj") and tree.word(hearer.head).lemma.lower() in _INFORMING
+        if is_about and is_told and is_person_or_name(hearer):
+            edit.rehang(topic.index, hearer.head, "obl")
     for verb in tree.words:
         if vocabulary.speech_of(verb.lemma.lower()) is not Speech.TOLD or verb.upos != "VERB":
             continue

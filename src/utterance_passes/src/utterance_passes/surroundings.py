@@ -36,8 +36,8 @@ _LONGEST = 14
 _MARKS = (".", "?", "!")
 #: Marks behind a formula: "do me a favour: open the door", "good job! Open the door".
 _BREAKS = (",", ":", ".", "!")
-#: The end of a formula behind which the verb may have any form: "it would be great if you *opened* the door".
-_SUPPOSING = " if you"
+#: Ends of formulas behind which the verb may have any form: "it would be great if you *opened* the door".
+_SUPPOSING = (" if you", " rather you", " rather that you")
 _TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")
 #: Parts of speech by relation; the other words around a command are interjections.
 _TAGS: Dict[str, Tuple[str, str]] = {"aux": ("AUX", "MD"), "nsubj": ("PRON", "PRP"), "vocative": ("NOUN", "NN")}
