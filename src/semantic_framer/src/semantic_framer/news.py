@@ -51,22 +51,18 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
 
 
 def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: FramedLexicon) -> Clauses:
-    """Return clauses in which what the robot waits for is what it tells: "tell me when the oven is off"."""
-    news = [
-        joint.condition
-        for joint in joints.found
-        if joint.condition is not None
-        and (
-            joint.kind in _OF_NEWS
-            or (joint.kind is LinkKind.IF and happens(joint.condition, sentence.tree, known.frames))
-        )
-    ]
+    """Return clauses in which what the robot waits for or looks at is what it tells: "tell me when the oven is off",
+    "if the door is open, tell me"."""
+    kinds = [joint.kind for joint in joints.found]
+    if LinkKind.OTHERWISE in kinds:
+        return clauses  # "..., otherwise tell me" tells something else.
+    news = [joint.condition for joint in joints.found if joint.condition and joint.kind in (LinkKind.IF, *_OF_NEWS)]
     if len(news) != 1:
         return clauses
     positions = sorted(news[0].positions)
     if _names_participants(sentence, positions):
         return clauses  # "You see Anna" would be said of the person.
-    said = sentence.text(positions).strip(" ,.!?")
+    said = news[0].words or sentence.text(positions).strip(" ,.!?")
     return tuple(tuple(_told(reading, said, known) for reading in readings) for readings in clauses)
 
 

@@ -38,7 +38,8 @@ _ROBOTS = word_class("robots")
 _OF = "of"
 #: Words before a noun that are left out when a part of it is meant: "one of the cups" for "some cups".
 _BEFORE_PARTS = word_class("determiners_of_all") | word_class("determiners_of_any") | frozenset(["of"])
-_DEFINITE = word_class("determiners_and_possessives") - word_class("indefinite_articles")
+_DETERMINERS = word_class("determiners_and_possessives")
+_DEFINITE = _DETERMINERS - word_class("indefinite_articles")
 _QUESTION_WORDS = word_class("question_words")
 _ASKING = _QUESTION_WORDS | {"many", "much"}
 _BEFORE_NOUNS = ("ADJ", "ADV", "DET", "NOUN", "NUM", "PRON")
@@ -46,6 +47,8 @@ _PARTS_OF_NOUNS = ("compound", "nmod:poss", "flat")
 _SAME = frozenset(["the same", "the same thing"])
 _SIDES = word_class("left_and_right")
 _PARTS = word_class("sides") - _SIDES
+#: "Where *he* wants to sit" names a place; "where my keys are" is about the keys.
+_WHERE = "where "
 _WHOLE = word_class("determiners_of_all")
 _PLURAL = word_class("plural_pronouns")
 #: FrameNet's names of elements for how something is.
@@ -311,18 +314,24 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     ]
     if len(things) != 1:
         return None
-    return Thing(sentence.text(sorted(sentence.subtree(things[0].index))), things[0].lemma.lower())
+    phrase = sentence.phrases.argument("", things[0].index)
+    return Thing(
+        _inside_a_sentence(phrase.text), things[0].lemma.lower(), is_plural=phrase.is_plural, phrases=(phrase,)
+    )
 
 
 def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
-    """Return the subject of a clause that is to be said or found out; None if it is no thing, or there is no clause.
+    """Return the thing that a clause to be said or found out is about, its subject or what it asks for; None if it is
+    no thing, or there is no clause.
 
     Args:
-        said: the words of the clause: "where *my keys* are", "how many *cups* he needs"
+        said: the words of the clause: "where *my keys* are", "how many *cups* he needs", "*what he wants*"
         sentence: the sentence; what is quoted has lost its relations there, so only the order of words counts
     """
     words = [sentence.word(position) for position in said.positions if 0 < position <= len(sentence.tree.words)]
     before = [*takewhile(lambda word: word.upos not in ("VERB", "AUX"), words)]
+    if words and words[0].form.lower() == "what" and len(before) < len(words) and all(map(_is_pronoun, before)):
+        return Thing(said.text, "what", is_only_told_of=True)
     nouns = [word for word in before if word.upos == "NOUN" and word.deprel not in _PARTS_OF_NOUNS]
     if len(before) == len(words) or not nouns or is_person(nouns[-1]) or not _ends_phrase(nouns[-1], before):
         return None
@@ -338,9 +347,19 @@ def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
     return Thing(text, noun.lemma.lower(), is_plural=is_plural, phrases=(phrase,), is_only_told_of=True)
 
 
+def _is_pronoun(word: Word) -> bool:
+    return word.upos in ("PRON", "PROPN")
+
+
 def _ends_phrase(noun: Word, before: Iterable[Word]) -> bool:
     behind = [word for word in before if word.index > noun.index]
     return all(word.upos in ("PRON", "ADV", "PROPN") for word in behind)
+
+
+def _inside_a_sentence(text: str) -> str:
+    """Return a phrase as it is written inside a sentence: "the cup" for "*The* cup is on the table"."""
+    first, space, rest = text.partition(" ")
+    return f"{first.lower()}{space}{rest}" if first.lower() in _DETERMINERS else text
 
 
 def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
@@ -352,6 +371,8 @@ def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, Semantic
         is_said = element is not None and element.framenet in SAID
         said = thing_said(value, sentence) if is_said else None
         context = context.with_thing(said) if said is not None else context
+        if is_said and value.text.lower().startswith(_WHERE) and said is None:
+            context = replace(context, place=Thing(value.text, "where"))
     return context.with_persons(persons_mentioned(reading.arguments, sentence))
 
 
@@ -381,9 +402,11 @@ def _remember(
         is_thing = value.semantic_type and not value.relation and "Location" not in with_parents(value.semantic_type)
         # "When the bell rings, go to the door and open it": what is gone to counts for more.
         if (element.framenet in PLACES and not is_thing) or (frame.is_condition and element.framenet == _SOUND_SOURCE):
-            context = replace(context, place=Thing(value.text, value.lemma, phrases=(value,)))
+            place = Thing(_inside_a_sentence(value.text), value.lemma, phrases=(value,))
+            context = replace(context, place=place)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
             is_plural = value.is_plural or bool(value.members) or (value.count or 1) > 1
-            thing = Thing(value.text, value.lemma, part_of(element.framenet), is_plural, value.members or (value,))
+            text = _inside_a_sentence(value.text)
+            thing = Thing(text, value.lemma, part_of(element.framenet), is_plural, value.members or (value,))
             context = context.with_thing(thing)
     return context

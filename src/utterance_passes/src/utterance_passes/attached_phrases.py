@@ -102,16 +102,17 @@ def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> Depend
 
 
 def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make an adverb of "upside down": the parser makes a compound of the thing before it."""
+    """Make an adverb of "upside down", of which the parser makes a noun or another deed."""
     edit = TreeEdit(tree)
     for upside, down in zip(tree.words, tree.words[1:]):
-        things = [child for child in tree.children(upside.index) if child.deprel == "compound"]
-        if (upside.form.lower(), down.form.lower()) != ("upside", "down") or not things or not upside.head:
+        if (upside.form.lower(), down.form.lower()) != ("upside", "down") or not upside.head:
             continue
-        thing = things[-1]
+        things = [child for child in tree.children(upside.index) if child.deprel == "compound"]
+        above = things[-1].index if things else upside.head
         for child in tree.children(upside.index):
-            edit.rehang(child.index, thing.index)
-        edit.rehang(thing.index, upside.head, upside.deprel)
+            edit.rehang(child.index, above)
+        if things:
+            edit.rehang(above, upside.head, upside.deprel)
         edit.retag(upside.index, "ADV", "RB")
         edit.rehang(upside.index, down.index, "advmod")
         edit.rehang(down.index, upside.head, "advmod")

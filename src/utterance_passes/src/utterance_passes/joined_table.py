@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import joined, turns_in_place, words_set_off
+from utterance_passes import joined, questions_for_others, turns_in_place, words_set_off
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -226,5 +226,17 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         words_set_off.with_words_set_off,
+    ),
+    TreePass(
+        "deeds_behind_questions",
+        "Join a deed that names what a question asks for to the verb of the command.",
+        Example(
+            "ask|VERB|0|root Bob|PROPN|1|iobj what|PRON|5|obj|what|WP he|PRON|5|nsubj wants|VERB|1|ccomp|want|VBZ "
+            "and|CCONJ|7|cc bring|VERB|5|conj it|PRON|7|obj",
+            ("bring: conj(wants) -> conj(ask)",),
+            Verbs(frozenset(["ask", "bring"])),
+        ),
+        Stage.FRAMER,
+        questions_for_others.with_deeds_behind_questions,
     ),
 )
