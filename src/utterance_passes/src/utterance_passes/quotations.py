@@ -121,7 +121,8 @@ class _Quotation:
         edit = TreeEdit(tree)
         head = self._head(inside)
         first = self._tree.word(min(inside))
-        if first.form.lower() in _PUTTING_OFF and self._has_verb(inside):
+        is_asked = self._tree.is_infinitive(head.index)  # "Tell Bob *when to come*."
+        if first.form.lower() in _PUTTING_OFF and self._has_verb(inside) and not is_asked:
             edit.relabel(head.index, "advcl")
             return edit.tree()
         is_phrase = inside == self._tree.subtree(head.index) and head.deprel in ("obj", "ccomp")
@@ -162,6 +163,8 @@ class _Quotation:
                 and word.deprel in ("xcomp", "advcl", "ccomp", "acl")
                 and not self._name_taken_for_a_verb(word)
                 and self._tree.is_infinitive(word.index)
+                # "Tell Bob *how to come*" says something.
+                and self._tree.word(min(self._tree.subtree(word.index))).form.lower() not in _QUESTION_WORDS
             ),
             0,
         )
