@@ -328,6 +328,8 @@ def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
         said: the words of the clause: "where *my keys* are", "how many *cups* he needs", "*what he wants*"
         sentence: the sentence; what is quoted has lost its relations there, so only the order of words counts
     """
+    if said.words not in sentence.tree.text:
+        return None  # It is of an earlier sentence, about which something was asked.
     words = [sentence.word(position) for position in said.positions if 0 < position <= len(sentence.tree.words)]
     before = [*takewhile(lambda word: word.upos not in ("VERB", "AUX"), words)]
     if words and words[0].form.lower() == "what" and len(before) < len(words) and all(map(_is_pronoun, before)):
@@ -390,7 +392,7 @@ def _remember(
                 if said.frame_name in frames:
                     context = _remember(frames[said.frame_name], said.frame_elements, frames, context)
             continue
-        if value.text.lower().split()[0] in _QUESTION_WORDS:
+        if value.text.lower().partition(" ")[0] in _QUESTION_WORDS:
             continue  # "How many": it asks for a thing, and is none.
         if value.text.lower() in _HERE_AND_THERE:
             continue  # "Put the cup here and the plate there": "there" is another place than "here".

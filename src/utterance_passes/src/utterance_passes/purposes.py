@@ -72,13 +72,10 @@ def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) ->
 def _has_object(tree: DependencyTree, use: Word) -> bool:
     """Whether a verb has what it acts on, so that the thing before it is not that: not in "a book to read"."""
     children = tree.children(use.index)
+    behind = next(iter(tree.words[use.index :]), use)
     # "To let *in* some air", which may look like a place.
-    is_particle = any(
-        child.deprel == "obl"
-        and tree.word(use.index + 1).head == child.index
-        and tree.word(use.index + 1).upos == "ADP"
-        for child in children
-    )
+    places = [child.index for child in children if child.deprel == "obl"]
+    is_particle = behind.upos == "ADP" and behind.head in places
     return is_particle or any(child.deprel in ("obj", "ccomp", "xcomp") for child in children)
 
 
