@@ -31,7 +31,7 @@ SENTENCES: Tuple[Tuple[str, str, str, str], ...] = (
     ("tmod", "Move forward three feet.", "move", "feet"),
     ("npadvmod", "Move forward three feet.", "move", "feet"),
     ("ccomp", "Check whether the oven is hot.", "check", "hot"),
-    ("xcomp", "Call this place the workshop.", "call", "workshop"),
+    ("xcomp", "Call this room the lab.", "call", "lab"),
     ("acomp", "Paint the door green.", "paint", "green"),
     ("advmod", "Turn left.", "turn", "left"),
     ("prt", "Turn on the light.", "turn", "on"),

@@ -1,6 +1,6 @@
 """Joins what is added to the thing that it is added to: "the cup *as well as the plate*"."""
 
-from typing import Tuple
+from typing import Optional, Sequence, Tuple
 
 from utterance_passes.clauses import has_case
 from utterance_passes.persons import is_likely, is_person, is_person_or_name
@@ -25,7 +25,7 @@ def with_as_well_as(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     edit = TreeEdit(tree)
     for first in tree.words[:-3]:
         said = tree.words[first.index - 1 : first.index + 2]
-        thing = tree.word(said[-1].head) if said[-1].head else first
+        thing = _added(tree, said) or first
         is_said = [word.form.lower() for word in said] == _AS_WELL_AS and thing.index > said[-1].index
         before = tree.word(first.index - 1) if first.index > 1 else first
         while before.head and before.upos in _NOUNS and tree.word(before.head).upos in _NOUNS:
@@ -35,6 +35,15 @@ def with_as_well_as(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word in said:
                 edit.rehang(word.index, thing.index, "cc")
     return edit.tree()
+
+
+def _added(tree: DependencyTree, said: Sequence[Word]) -> Optional[Word]:
+    """Return the noun behind "as well as": above its last word, or right behind it where its words are one."""
+    last = said[-1]
+    if last.head and last.head not in [word.index for word in said]:
+        return tree.word(last.head)
+    behind = (word for word in tree.words[last.index :] if min(tree.subtree(word.index)) == last.index + 1)
+    return next((word for word in behind if word.upos in _NOUNS), None)
 
 
 def without_not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -148,8 +148,15 @@ def _attach_to_what_is_given(edit: TreeEdit, tree: DependencyTree, side: Word, c
 
 
 def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach "all" or "both" to the pronoun before it: "put them *both* on the table" has one object."""
+    """Attach "all" or "both" to the pronoun before it, "put them *both* on the table", or to the object behind it,
+    "take *both* the cup and the plate": there is one object."""
     edit = TreeEdit(tree)
+    for whole in tree.words:
+        objects = [child for child in tree.children(whole.head) if child.deprel == "obj"] if whole.head else []
+        behind = [one for one in objects if min(tree.subtree(one.index)) == whole.index + 1 and one.upos == "NOUN"]
+        if whole.form.lower() in _WHOLE and whole in objects and behind and not tree.children(whole.index):
+            is_of_two = any(child.deprel == "conj" for child in tree.children(behind[0].index))
+            edit.rehang(whole.index, behind[0].index, "cc:preconj" if is_of_two else "det")
     for pronoun, whole in zip(tree.words, tree.words[1:]):
         is_object = pronoun.deprel in ("obj", "iobj") and pronoun.form.lower() in _OBJECT_PRONOUNS
         noun = tree.word(whole.head) if whole.head else whole
@@ -174,9 +181,15 @@ def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) ->
 
 def with_words_before_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach an article or an owner to the object right behind it, not to a noun further on: "tell *the* kids dinner is
-    ready", "tell *my* wife dinner is ready"."""
+    ready", "tell *my* wife dinner is ready". Where the noun behind a thing is an object as well, both are one: "find
+    the *stop* sign"."""
     edit = TreeEdit(tree)
     for before, noun in zip(tree.words, tree.words[1:]):
+        whole = tree.word(before.head) if before.head else noun
+        is_part = noun.upos == "NOUN" and not is_person_or_name(noun) and whole.index == noun.index + 1
+        if is_part and before.deprel == "det" and whole.deprel == noun.deprel == "obj" and whole.head == noun.head:
+            edit.rehang(noun.index, whole.index, "compound")
+            continue
         is_object = noun.deprel in ("obj", "iobj") and noun.upos == "NOUN"
         is_before = before.deprel in ("det", "nmod:poss") and before.upos in ("DET", "PRON")
         if is_object and is_before and before.head > noun.index:

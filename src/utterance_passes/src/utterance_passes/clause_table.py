@@ -242,4 +242,14 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         purposes.with_purposes_of_deeds,
     ),
+    TreePass(
+        "steps_taken",
+        "Make an amount right behind a verb that means little alone its object.",
+        Example(
+            "take|VERB|0|root three|NUM|3|nummod steps|NOUN|1|obl:unmarked|step|NNS back|ADV|1|advmod",
+            ("steps: obl:unmarked(take) -> obj(take)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_steps_taken,
+    ),
 )

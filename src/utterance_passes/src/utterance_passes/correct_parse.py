@@ -10,6 +10,7 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _ABOUT = frozenset(["about"])
 _CHANGED_STATES = word_class("changed_states")
 _DEGREES = word_class("degrees")
@@ -369,4 +370,17 @@ def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
         if is_behind and governor.head and tree.word(governor.head).upos == "VERB":
             edit.rehang(word.index, governor.head, "obl:unmarked")
+    return edit.tree()
+
+
+def with_steps_taken(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make an amount right behind a verb that means little alone its object: "take *three steps* back"."""
+    edit = TreeEdit(tree)
+    for amount in tree.words:
+        verb = tree.word(amount.head) if amount.head else amount
+        if amount.deprel != "obl:unmarked" or verb.lemma.lower() not in _LIGHT_VERBS:
+            continue
+        has_object = any(child.deprel in ("obj", "iobj") for child in tree.children(verb.index))
+        if not has_object and min(tree.subtree(amount.index)) == verb.index + 1:
+            edit.relabel(amount.index, "obj")
     return edit.tree()

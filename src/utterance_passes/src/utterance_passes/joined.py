@@ -313,8 +313,11 @@ def with_phrases_behind_joints(tree: DependencyTree, _: Vocabulary) -> Dependenc
             cases = [child.index for child in tree.children(phrase.index) if child.deprel == "case"]
             is_set_off = any(tree.word(index - 1).upos == "PUNCT" for index in cases[:1] if index > 1)
             points_back = is_set_off and phrase.form.lower() in _DEEDS
-            if is_between and (points_back or (joints and joints[0] < phrase.index)):
+            own = [child.index for child in tree.children(phrase.index) if child.deprel == "cc"]
+            if is_between and (points_back or own or (joints and joints[0] < phrase.index)):
                 edit.rehang(phrase.index, verb.index)
+                for joint in own:
+                    edit.rehang(joint, verb.index)
     return edit.tree()
 
 

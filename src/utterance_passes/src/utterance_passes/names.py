@@ -22,8 +22,10 @@ _NO_END = frozenset(["NOUN", "PROPN", "ADJ", "NUM", "VERB", "AUX"])
 def with_names_behind_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a name, a letter or a number to the noun or the name in front of it.
 
-    A small letter, as speech recognisers write it, is a name only after a noun that takes letters as names.
+    A small letter, as speech recognisers write it, is a name only after a noun that takes letters as names. A number
+    before things counts them.
     """
+    tree = _with_counts_behind_names(tree)
     for index in range(1, len(tree.words)):
         noun, name = _whole(tree, tree.word(index)), tree.word(index + 1)
         if name.head == noun.index or noun.head == name.index:
@@ -41,6 +43,17 @@ def with_names_behind_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         except NotATree:
             continue
     return tree
+
+
+def _with_counts_behind_names(tree: DependencyTree) -> DependencyTree:
+    """Attach a number to the things behind it, not to the person before it: "bring Anna *two* bananas"."""
+    edit = TreeEdit(tree)
+    for number, things in zip(tree.words, tree.words[1:]):
+        person = tree.word(number.head) if number.head else number
+        is_of_name = number.deprel == "flat" and number.upos == "NUM" and is_name_of_person(person)
+        if is_of_name and things.upos == "NOUN" and things.xpos == "NNS":
+            edit.rehang(number.index, things.index, "nummod")
+    return edit.tree()
 
 
 def _whole(tree: DependencyTree, word: Word) -> Word:

@@ -25,6 +25,10 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         thing = tree.word(use.index - 2) if use.index > 2 else use
         if thing.form.lower() not in _INDEFINITE_THINGS:
             continue
+        before = tree.word(thing.head) if thing.deprel == "conj" else thing
+        if before.deprel == "acl" and tree.word(before.head).form.lower() in _INDEFINITE_THINGS:
+            # "Something to eat and *something* to drink."
+            edit.rehang(thing.index, before.head)
         is_of_thing = use.deprel == "acl" and use.head == thing.index
         is_of_verb = use.deprel == "xcomp" and use.head == thing.head and tree.is_infinitive(use.index)
         if thing.deprel == "obj" and (is_of_thing or is_of_verb):
@@ -41,8 +45,8 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         if (
             is_to
             and is_bare
-            and use.head in (thing.index, thing.head, tree.word(thing.head).head)
-            and use.deprel not in ("acl", "xcomp", "advcl")
+            and thing.index in tree.subtree(use.head)
+            and (use.deprel not in ("acl", "xcomp", "advcl") or case.deprel == "case")
             and use.form == use.lemma
             and VERB in parts_of_speech(use.lemma)
         ):

@@ -14,10 +14,11 @@ from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of
+from utterance_passes.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of, stray_clause
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
+_AS_SOON_AS = ["as", "soon", "as"]
 _AFTER_NO = word_class("after_no")
 _COMPARISONS = pattern_of("comparisons")
 _CONDITIONS = word_class("conditions")
@@ -57,28 +58,13 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
         if saying is None:
             return tree
         behind = saying.clause.verb
-        stray = _stray_clause(tree, saying)
+        stray = stray_clause(tree, saying)
         if stray:
             edit = TreeEdit(tree)
             edit.rehang(stray, behind, "ccomp")
             tree = edit.tree()
             clauses = find_clauses(tree, vocabulary)
         tree = _Quotation(tree, saying, clauses, vocabulary).tree()
-
-
-def _stray_clause(tree: DependencyTree, saying: Saying) -> int:
-    """Return the verb of a clause right after the verb of saying that the parser attached elsewhere: "find Bob and tell
-    her *lunch is ready*"; 0 if there is none.
-    """
-    behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
-    strays = (
-        word.index
-        for word in behind
-        if word.deprel in ("parataxis", "conj", "ccomp")
-        and word.head not in (0, saying.clause.verb)
-        and min(tree.subtree(word.index)) == saying.last + 1
-    )
-    return next(strays, 0)
 
 
 class _Quotation:
@@ -94,7 +80,7 @@ class _Quotation:
         self._names: Set[int] = set()
         #: Whether all words behind the addressee are the message.
         self._is_all_behind = False
-        self._end = self._next_command(clauses, vocabulary)
+        self._end = min(self._next_command(clauses, vocabulary), self._as_soon_as())
         #: Verb of what somebody is asked to do; it is no quotation.
         self._requested = self._infinitive() if saying.speech is Speech.TOLD else 0
         if saying.speech is Speech.TOLD:
@@ -191,6 +177,13 @@ class _Quotation:
                 if match_verbs(self._tree, clause, vocabulary):
                     return before
         return len(self._tree.words) + 1
+
+    def _as_soon_as(self) -> int:
+        """Return where a condition begins behind words without a verb: "say hello *as soon as the bell rings*"."""
+        forms = [word.form.lower() for word in self._tree.words]
+        starts = range(self._start, len(forms) - 2)
+        found = next((place for place in starts if forms[place : place + 3] == _AS_SOON_AS), len(forms))
+        return found + 1 if not self._has_verb(range(self._start, found + 1)) else len(forms) + 1
 
     @staticmethod
     def _is_joint(word: Word) -> bool:

@@ -89,3 +89,18 @@ def saying_of(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> O
         if speech is not None:
             return Saying(clause, max(match.positions), speech)
     return None
+
+
+def stray_clause(tree: DependencyTree, saying: Saying) -> int:
+    """Return the verb of a clause right after the verb of saying that the parser attached elsewhere: "find Bob and tell
+    her *lunch is ready*"; 0 if there is none.
+    """
+    behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
+    strays = (
+        word.index
+        for word in behind
+        if word.deprel in ("parataxis", "conj", "ccomp")
+        and word.head not in (0, saying.clause.verb)
+        and min(tree.subtree(word.index)) == saying.last + 1
+    )
+    return next(strays, 0)

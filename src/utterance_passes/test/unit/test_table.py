@@ -46,7 +46,7 @@ ORDER = (
     "as_well_as not_only bounded_counts commands_behind_statements wished_results remarks "
     "prepositions_at_names asked_clauses told_predicates words_before_nouns hearers_joined deeds_of_hearers "
     "messages_behind_clauses requests_behind_clauses things_named_by_clauses goals_behind_clauses "
-    "predicates_as_clauses purposes_of_things purposes_of_deeds hands_at_verbs there_at_things "
+    "predicates_as_clauses purposes_of_things purposes_of_deeds steps_taken hands_at_verbs there_at_things "
     "phrases_of_what_is_asked upside_down places_in_a_row wholes_at_pronouns exceptions meant_instead "
     "things_named_again ways_behind_particles avoided_places awaited_deeds sides_in_order items_in_order "
     "contrasts particles_on_the_way ahead_of speeds_together superlatives_at_nouns places_of_devices "
