@@ -39,6 +39,7 @@ _AFTER_DEED = re.compile(
     r"\s+([a-z]+)(?:\s+([\w']+)|\W*$)",
     re.IGNORECASE,
 )
+_SAYING = word_class("saying_verbs")
 #: Behind a noun that could be a verb, they begin a clause: "after that dance *we* go".
 _NO_OBJECTS = word_class("clause_subjects") | word_class("forms_of_be")
 
@@ -50,7 +51,8 @@ def with_times_set_off(spelling: Spelling, vocabulary: Verbs) -> Spelling:
     if found is None or found.group(2).lower() not in vocabulary.words:
         return spelling
     following = (found.group(3) or "").lower() if found.re is _AFTER_DEED else ""
-    if following in _NO_OBJECTS | vocabulary.words:
+    is_said = following == "that" and found.group(2).lower() in _SAYING
+    if following in _NO_OBJECTS | vocabulary.words and not is_said:
         return spelling
     end = found.end(1)
     text = f"{spelling.text[:end]},{spelling.text[end:]}"

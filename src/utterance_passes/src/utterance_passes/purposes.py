@@ -3,11 +3,13 @@
 from typing import FrozenSet
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS_WITH_TO = word_class("nouns_with_infinitives")
 _CERTAIN = word_class("demonstrative_determiners") | {"the"}
@@ -59,13 +61,19 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
 
 def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a purpose with an object of its own to the verb if it stands behind a certain thing: "open *the window to
-    air the room*", but "bring me a book to read"."""
+    air the room*"; and one without an object to any thing before it: "find *a chair to sit on*".
+    """
     edit = TreeEdit(tree)
     for use in tree.words:
         thing = tree.word(use.head) if use.head else use
         is_of_thing = use.deprel == "acl" and thing.deprel == "obj" and tree.is_infinitive(use.index)
         if is_of_thing and _has_object(tree, use) and _is_certain(tree, thing):
             edit.rehang(use.index, thing.head, "advcl")
+        if use.deprel == "advcl" and tree.is_infinitive(use.index) and not _has_object(tree, use):
+            things = [child for child in tree.children(use.head) if child.deprel == "obj" and _is_any(tree, child)]
+            behind = [one for one in things if max(tree.subtree(one.index)) + 1 == min(tree.subtree(use.index))]
+            for thing in behind:
+                edit.rehang(use.index, thing.index, "acl")
     return edit.tree()
 
 
@@ -81,6 +89,12 @@ def _has_object(tree: DependencyTree, use: Word) -> bool:
     places = [child.index for child in children if child.deprel == "obl"]
     is_particle = behind.upos == "ADP" and behind.head in places
     return is_particle or any(child.deprel in ("obj", "ccomp", "xcomp") for child in children)
+
+
+def _is_any(tree: DependencyTree, thing: Word) -> bool:
+    articles = {child.form.lower() for child in tree.children(thing.index) if child.deprel == "det"}
+    is_thing = thing.upos == "NOUN" and not is_person_or_name(thing)
+    return is_thing and (thing.form.lower() in _INDEFINITE_THINGS or bool(articles & _INDEFINITE))
 
 
 def _is_certain(tree: DependencyTree, thing: Word) -> bool:

@@ -30,6 +30,7 @@ _NO_PRONOUNS = word_class("no_pronouns")
 _PERSONS_TOLD = word_class("persons_told")
 _SUBJECTS = word_class("subjects_told")
 _QUESTION_WORDS = word_class("question_words")
+_TIMES = word_class("iteration_adverbs")
 _OTHERWISE = word_class("contrasting_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
@@ -104,6 +105,9 @@ class _Quotation:
         behind = [word.form.lower() for word in tree.words[self._start - 1 : max(inside)]]
         if any(_COMPARISONS.fullmatch(" ".join(behind[first:])) for first in range(len(behind) - len(inside) + 1)):
             return tree
+        counts = [word.index for word in tree.words[self._verb :] if word.form.lower() in _TIMES]
+        if len(counts) > 1 and not inside.isdisjoint(counts):
+            return tree  # "Say hello twice and goodbye *once*": nobody says "goodbye once" twice.
         edit = TreeEdit(tree)
         head = self._head(inside)
         first = self._tree.word(min(inside))

@@ -413,13 +413,18 @@ def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
     return edit.tree()
 
 
-def with_asked_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition."""
+def with_asked_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition. What
+    somebody is told how to do is such a clause, too: "tell Bob *how to get there*"."""
     edit = TreeEdit(tree)
     for verb in tree.words:
+        children = tree.children(verb.index)
+        for clause in children if vocabulary.speech_of(verb.lemma.lower()) is not None else ():
+            first = tree.word(min(tree.subtree(clause.index)))
+            if clause.deprel == "advcl" and tree.is_infinitive(clause.index) and first.form.lower() in _QUESTION_WORDS:
+                edit.relabel(clause.index, "ccomp")
         if verb.lemma.lower() not in _ASKING:
             continue
-        children = tree.children(verb.index)
         asked = [child for child in children if child.deprel in ("obj", "iobj") and child.index > verb.index]
         for clause in children:
             marks = [child.index for child in tree.children(clause.index) if child.form.lower() in _WHETHER]
