@@ -32,6 +32,7 @@ _TO_PREPOSITIONS = word_class("to_prepositions")
 _ONE_PERSON = word_class("male_pronouns") | word_class("female_pronouns") | word_class("words_of_the_speaker")
 _OBJECT_PRONOUNS = (word_class("object_pronouns") | word_class("plural_pronouns")) - _ONE_PERSON
 _WHOLE = word_class("determiners_of_all")
+_WITH_TO = word_class("verbs_with_to")
 _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
 
@@ -187,7 +188,10 @@ def with_words_before_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     for before, noun in zip(tree.words, tree.words[1:]):
         whole = tree.word(before.head) if before.head else noun
         is_part = noun.upos == "NOUN" and not is_person_or_name(noun) and whole.index == noun.index + 1
-        if is_part and before.deprel == "det" and whole.deprel == noun.deprel == "obj" and whole.head == noun.head:
+        are_objects = whole.deprel == noun.deprel == "obj" and whole.head == noun.head
+        # "Give the dog water" has two.
+        is_of_one = are_objects and tree.word(noun.head).lemma.lower() not in _WITH_TO
+        if is_part and is_of_one and before.deprel == "det":
             edit.rehang(noun.index, whole.index, "compound")
             continue
         is_object = noun.deprel in ("obj", "iobj") and noun.upos == "NOUN"

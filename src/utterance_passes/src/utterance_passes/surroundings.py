@@ -26,8 +26,10 @@ _TAILS = pattern_of("tails")
 _SET_OFF_TAILS = pattern_of("set_off_tails")
 _DOUBTING = word_class("doubting_adverbs")
 _FORMS_OF_BE = word_class("forms_of_be")
+_JOINING = frozenset(["and", "or"])
 _LEAD_IN = word_class("lead_in")
 _NO_COMMANDS = word_class("clause_verbs")
+_NOT = word_class("not")
 _OBJECTS = word_class("object_beginnings")
 _PADDING = word_class("padding")
 _SAYING = word_class("saying_verbs")
@@ -105,8 +107,11 @@ def _front(
             continue
         text = without_padding(forms)
         is_modal, minds = _MODAL.fullmatch(text) is not None, _MINDING.fullmatch(text) is not None
-        if is_modal and behind < len(tokens) and tokens[behind].said in _DOUBTING:
+        following = tokens[behind].said if behind < len(tokens) else ""
+        if is_modal and following in _DOUBTING:
             return None
+        if following in _JOINING and not _NOT.isdisjoint(forms):
+            continue  # "Don't panic and run" forbids both.
         is_formula = is_modal or minds or _OPENINGS.fullmatch(text) or _POLITE.fullmatch(text)
         inflected = "ing" if minds else "" if text.endswith(_SUPPOSING) else None
         found = _front(tokens, behind, vocabulary, ending=inflected) if is_formula else None
