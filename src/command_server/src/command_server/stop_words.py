@@ -257,7 +257,9 @@ class _Sentence:
         while position < len(words) and words[position] in BEFORE_PLACES:
             position += 1
         if position < len(words) and words[position] in PLACES:
-            return not _phrase_at(words, position, _NO_PLACES)
+            # "Stop before *opening* the door": no place is named so.
+            is_deed = words[position] == "before" and "".join(words[position + 1 : position + 2]).endswith("ing")
+            return not is_deed and not _phrase_at(words, position, _NO_PLACES)
         behind = position
         while behind < len(words) and (words[behind] in AMOUNTS or words[behind][0].isdigit()):
             behind += 1
