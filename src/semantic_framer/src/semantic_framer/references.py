@@ -370,10 +370,12 @@ def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, Semantic
     context = _remember(frame, reading.arguments, frames, context)
     for value in reading.arguments:
         element = frame.element(value.name)
-        is_said = element is not None and element.framenet in SAID
-        said = thing_said(value, sentence) if is_said else None
-        context = context.with_thing(said) if said is not None else context
-        if is_said and value.text.lower().startswith(_WHERE) and said is None:
+        if element is None or element.framenet not in SAID:
+            continue
+        said = thing_said(value, sentence)
+        if said is not None:
+            context = context.with_thing(said)
+        elif value.text.lower().startswith(_WHERE):
             context = replace(context, place=Thing(value.text, "where"))
     return context.with_persons(persons_mentioned(reading.arguments, sentence))
 

@@ -1,8 +1,7 @@
 """Attaches what something is for to the thing or to the deed: "a book *to read*", "open it *to air the room*"."""
 
-from typing import FrozenSet
-
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.clauses import prepositions_of
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -13,7 +12,6 @@ _INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS_WITH_TO = word_class("nouns_with_infinitives")
 _CERTAIN = word_class("demonstrative_determiners") | {"the"}
-_TO = frozenset(["to"])
 
 
 def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -35,7 +33,7 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         is_of_verb = use.deprel == "xcomp" and use.head == thing.head and tree.is_infinitive(use.index)
         if thing.deprel == "obj" and (is_of_thing or is_of_verb):
             phrases = [child for child in tree.children(use.index) if child.index > use.index]
-            given = [phrase.index for phrase in phrases if _has_case(tree, phrase, _TO)]
+            given = [phrase.index for phrase in phrases if "to" in prepositions_of(tree, phrase.index)]
             if given and is_of_verb:
                 edit.rehang(use.index, thing.index, "acl")
             for phrase in phrases:
@@ -75,10 +73,6 @@ def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
             for thing in behind:
                 edit.rehang(use.index, thing.index, "acl")
     return edit.tree()
-
-
-def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) -> bool:
-    return any(child.deprel == "case" and child.form.lower() in prepositions for child in tree.children(word.index))
 
 
 def _has_object(tree: DependencyTree, use: Word) -> bool:
