@@ -129,8 +129,8 @@ class _Finder:
             is_last = self._is_end(place + length)
             is_number = is_last and self.forms[place + length - 1] in _TIMES  # "Only once".
             is_asked = self.forms[place + length : place + length + 1] == ["to"]  # "Tell Bob *when to come*".
-            is_link = link is not None and not is_number and not is_asked
-            if link is not None and is_link and (is_last or self._is_subordinating(place, length)):
+            is_other = is_number or is_asked
+            if link is not None and not is_other and (is_last or self._is_subordinating(place, length)):
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question

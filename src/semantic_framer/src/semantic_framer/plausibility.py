@@ -16,7 +16,6 @@ from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
-_CONDITIONS = word_class("conditions")
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
 _VAGUE_PERIODS = word_class("vague_periods")
@@ -269,18 +268,3 @@ def is_listed_elsewhere(filled: Filled) -> bool:
         head.index in other.listed and other.unit.frame_name != filled.reading.unit.frame_name and not other.missing
         for other in filled.beside
     )
-
-
-def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSet[int]:
-    """Return the words of a condition inside the thing to find out: "see if it is hot *when I say so*".
-
-    Args:
-        tree: the sentence
-        positions: words of the thing to find out, whichever element they fill
-    """
-    for index in sorted(positions):
-        word = tree.word(index)
-        marks = {child.form.lower() for child in tree.children(index) if child.deprel in ("mark", "advmod")}
-        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
-            return tree.subtree(index)
-    return frozenset()

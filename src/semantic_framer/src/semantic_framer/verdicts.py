@@ -17,12 +17,13 @@ from semantic_framer.outcome import (
     not_then,
     not_to_be_done,
 )
-from semantic_framer.plausibility import Filled, inner_condition
+from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import Clause, shared_subject
+from utterance_passes.inner_conditions import inner_condition
 from utterance_passes.measures import amounts_of
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch

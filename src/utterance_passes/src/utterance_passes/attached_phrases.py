@@ -153,9 +153,11 @@ def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     "take *both* the cup and the plate": there is one object."""
     edit = TreeEdit(tree)
     for whole in tree.words:
-        objects = [child for child in tree.children(whole.head) if child.deprel == "obj"] if whole.head else []
-        behind = [one for one in objects if min(tree.subtree(one.index)) == whole.index + 1 and one.upos == "NOUN"]
-        if whole.form.lower() in _WHOLE and whole in objects and behind and not tree.children(whole.index):
+        if whole.form.lower() not in _WHOLE or whole.deprel != "obj" or tree.children(whole.index):
+            continue
+        objects = [child for child in tree.children(whole.head) if child.deprel == "obj" and child.upos == "NOUN"]
+        behind = [one for one in objects if min(tree.subtree(one.index)) == whole.index + 1]
+        if behind:
             is_of_two = any(child.deprel == "conj" for child in tree.children(behind[0].index))
             edit.rehang(whole.index, behind[0].index, "cc:preconj" if is_of_two else "det")
     for pronoun, whole in zip(tree.words, tree.words[1:]):

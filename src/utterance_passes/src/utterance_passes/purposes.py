@@ -63,15 +63,16 @@ def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     """
     edit = TreeEdit(tree)
     for use in tree.words:
-        thing = tree.word(use.head) if use.head else use
-        is_of_thing = use.deprel == "acl" and thing.deprel == "obj" and tree.is_infinitive(use.index)
-        if is_of_thing and _has_object(tree, use) and _is_certain(tree, thing):
-            edit.rehang(use.index, thing.head, "advcl")
-        if use.deprel == "advcl" and tree.is_infinitive(use.index) and not _has_object(tree, use):
-            things = [child for child in tree.children(use.head) if child.deprel == "obj" and _is_any(tree, child)]
-            behind = [one for one in things if max(tree.subtree(one.index)) + 1 == min(tree.subtree(use.index))]
-            for thing in behind:
-                edit.rehang(use.index, thing.index, "acl")
+        if use.deprel not in ("acl", "advcl") or not tree.is_infinitive(use.index):
+            continue
+        above, has_object = tree.word(use.head), _has_object(tree, use)
+        if use.deprel == "acl" and above.deprel == "obj" and has_object and _is_certain(tree, above):
+            edit.rehang(use.index, above.head, "advcl")
+        if use.deprel == "advcl" and not has_object:
+            first = min(tree.subtree(use.index))
+            for thing in tree.children(above.index):
+                if thing.deprel == "obj" and _is_any(tree, thing) and max(tree.subtree(thing.index)) + 1 == first:
+                    edit.rehang(use.index, thing.index, "acl")
     return edit.tree()
 
 

@@ -4,7 +4,7 @@ from typing import FrozenSet
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
 _QUESTION_WORDS = word_class("question_words")
@@ -36,7 +36,7 @@ def _is_deed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
     """Whether a word begins a command: a verb of the lexicon in its base form, without a subject or an auxiliary."""
     relations = [child.deprel.split(":")[0] for child in tree.children(word.index)]
     is_bare = word.form.lower() == word.lemma.lower() and not {"nsubj", "aux", "cop", "mark"} & set(relations)
-    return word.upos == "VERB" and is_bare and bool(vocabulary.verbs_beginning_with(word.lemma.lower()))
+    return word.upos == "VERB" and is_bare and is_verb(vocabulary, word)
 
 
 def _names(tree: DependencyTree, deed: Word, pronouns: FrozenSet[str]) -> bool:
