@@ -13,6 +13,8 @@ from roboframenet_ros.bounded_text import one_line
 
 # Stages pass a command on within milliseconds, and many nodes read the status: not each of them is told to all.
 _NOTE_DELAY_S = 0.05
+# Nor does whoever reads the status take the processor from the stages while they pass a new command on.
+_OPEN_DELAY_S = 0.01
 
 
 class Replies:
@@ -42,6 +44,7 @@ class Replies:
     def note_taken(self, text: str) -> None:
         """A text was heard; this is told with the next status, when its command is saved and will be answered."""
         self._untold.append(text)
+        self._tell_within(_OPEN_DELAY_S)
 
     def note_heard(self, command: CommandText) -> None:
         """A command was heard; the log says so before its reply, or when it is sent: a log call takes a while."""
@@ -62,35 +65,36 @@ class Replies:
         self.publisher.publish(reply)
         self.last_reply = reply
         self.note(reply.sentence)
-        self._status_due_s = time.monotonic()
+        self._tell_within(0.0)
         return reply
 
     def note(self, sentence: str) -> None:
         """Set the sentence of the next status: what the robot is doing."""
         self._sentence = one_line(sentence)
-        if self._status_due_s is None:
-            self._status_due_s = time.monotonic() + _NOTE_DELAY_S
+        self._tell_within(_NOTE_DELAY_S)
 
     def next_status_s(self) -> Optional[float]:
         """When a status is due, monotonic seconds; None for never."""
         return self._status_due_s
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish which texts were taken, and the status if it is due; call it when the commands are saved and sent.
+        """Publish which texts were taken, and the status, if it is due; call it when the commands are saved and sent.
 
-        Which commands are open, and the last reply, are told at once: others decide by them what "Cancel it." means.
+        Which commands are open, and the last reply, are told before a person can speak again: others decide by them
+        what "Cancel it." means.
 
         Args:
             open_commands: oldest first
         """
+        open_ids = tuple(entry.command.command_id for entry in open_commands)
+        if open_ids != self._told_ids:
+            self._tell_within(_OPEN_DELAY_S)
+        if self._status_due_s is None or time.monotonic() < self._status_due_s:
+            return
         self._log_heard()
         untold, self._untold = self._untold, []
         for text in untold:
             self._taken.publish(String(data=text))
-        open_ids = tuple(entry.command.command_id for entry in open_commands)
-        is_due = self._status_due_s is not None and time.monotonic() >= self._status_due_s
-        if open_ids == self._told_ids and not is_due:
-            return
         self._told_ids, self._status_due_s = open_ids, None
         self._status.publish(
             CommandStatus(
@@ -101,6 +105,10 @@ class Replies:
                 last_reply=self.last_reply,
             )
         )
+
+    def _tell_within(self, delay_s: float) -> None:
+        due_s = time.monotonic() + delay_s
+        self._status_due_s = due_s if self._status_due_s is None else min(self._status_due_s, due_s)
 
     def _log_heard(self) -> None:
         for command in self._unlogged:

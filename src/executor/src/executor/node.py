@@ -1,6 +1,6 @@
 """The executor node: the newest command first; another one follows what runs, or runs beside it, if it says so.
 
-Callbacks only enqueue; one worker thread owns the commands, one more thread runs each machine.
+Callbacks only enqueue; one worker thread owns the commands. Each machine has a thread, and one waits for the next machine.
 """
 
 import enum
@@ -26,6 +26,7 @@ from executor.commander_watch import CommanderWatch
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
+from executor.ready_thread import ReadyThread
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_driver_settings import DriverSettings
@@ -179,6 +180,7 @@ class ExecutorNode:
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
         self._runs: Dict[str, CommandRun] = {}
+        self._run_threads = ReadyThread("command_run")
         # Runs whose goal somebody else cancelled, and until when a stop may explain that.
         self._unexplained: List[Tuple[float, _RunEnded]] = []
         self._next_event_s = 0.0
@@ -385,6 +387,7 @@ class ExecutorNode:
             # One machine at a time is shown.
             introspection=_HIDDEN if self._runs else self._introspection,
             suspension=self._suspension,
+            threads=self._run_threads,
         )
         self._runs[order.key.command_id] = run
         # The run says itself what begins.

@@ -17,6 +17,7 @@ from arbitrator.watching import Observation
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.patience import Patience
 from executor.quarantine import Quarantine
+from executor.ready_thread import ReadyThread
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
 from executor.ros_condition_watch import ConditionWatch, WatchContext
@@ -72,6 +73,7 @@ class CommandRun:
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
         suspension: SuspensionWatch,
+        threads: ReadyThread,
     ) -> None:
         """Prepare; `start` begins.
 
@@ -92,6 +94,7 @@ class CommandRun:
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
             suspension: whether this process has just been resumed
+            threads: that run plans
         """
         self._plan = plan
         self._on_note = on_note
@@ -123,11 +126,12 @@ class CommandRun:
             on_sent=lambda frame: on_note(f"The server {frame.server} begins the frame {frame.name}."),
             on_end=self._end_step,
         )
-        self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
+        self._threads = threads
+        self._has_ended = threading.Event()
 
     def start(self) -> None:
         """Begin."""
-        self._thread.start()
+        self._threads.run(self._run)
 
     def preempt(self) -> None:
         """Ask the run to end; returns at once."""
@@ -150,8 +154,7 @@ class CommandRun:
 
     def join(self, *, timeout_s: float) -> bool:
         """Wait for the end; returns whether it has come."""
-        self._thread.join(timeout_s)
-        return not self._thread.is_alive()
+        return self._has_ended.wait(timeout_s)
 
     def describe(self) -> str:
         """Return a sentence that says what runs now, and for how long."""
@@ -215,6 +218,7 @@ class CommandRun:
             result = RunResult(outcome, self._record.records(), error, self._is_without_master, self._progress.rest())
             self._on_end(self, result)
             self._introspection.hide()
+            self._has_ended.set()
 
     def _show(self, machine: smach.Container) -> None:
         parts = list(walk(self._plan))

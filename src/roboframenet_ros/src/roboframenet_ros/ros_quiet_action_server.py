@@ -1,7 +1,7 @@
 """Action servers that cost nothing while they have no goal."""
 
-import threading
-import time
+import contextlib
+import queue
 import traceback
 from typing import Any, Callable, Optional
 
@@ -13,6 +13,7 @@ from roboframenet_ros.orphaned_goals import OrphanWatch
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_publishing import is_shutting_down
+from roboframenet_ros.status_thread import StatusThread
 
 #: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
 WAKE_UP_S = 5.0
@@ -34,24 +35,6 @@ _CANCELLABLE = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 STATUS_PAUSE_S = 0.02
 
 
-class _StatusTimer:
-    """Calls a function at a period of the machine's time: a server is alive while a simulation is paused."""
-
-    def __init__(self, period_s: float, call: Callable[[], None]) -> None:
-        self._period_s = period_s
-        self._call = call
-        self._is_over = threading.Event()
-        threading.Thread(target=self._run, name="goal_status", daemon=True).start()
-
-    def shutdown(self) -> None:
-        """Call no more; returns at once."""
-        self._is_over.set()
-
-    def _run(self) -> None:
-        while not self._is_over.wait(self._period_s) and not rospy.is_shutdown():
-            self._call()
-
-
 class QuietActionServer(actionlib.ActionServer):
     """``actionlib.ActionServer`` that publishes its status at actionlib's rate only while it tracks a goal.
 
@@ -61,11 +44,11 @@ class QuietActionServer(actionlib.ActionServer):
 
     #: Of a server whose goals end with their clients; None for actionlib's way, in which they go on.
     _orphan_watch: Optional[OrphanWatch] = None
-    #: The timer runs while there are goals; None otherwise.
-    _goal_timer: Optional["_StatusTimer"] = None
-    #: Publishes a change that came too soon after the last message; None when there is none.
-    _deferred: Optional[threading.Timer] = None
-    _published_s = float("-inf")
+    #: Publishes the status; None before the server is started, and when it is stopped.
+    _status: Optional[StatusThread] = None
+    #: Called without the lock when a goal has come: it wakes who accepts it, which publishes the status. None where the
+    #: callback of the goal accepts it.
+    on_taken: Optional[Callable[[], None]] = None
     #: ROS time at the last goal, cancel or check of the clock; an earlier time later means that the clock was set back.
     _seen = rospy.Time()
 
@@ -77,7 +60,16 @@ class QuietActionServer(actionlib.ActionServer):
         if self.status_timer is not None:
             self.status_timer.shutdown()
             self.status_timer = None
-        rospy.on_shutdown(self._end_timer)
+        period_s = 1.0 / self.status_frequency if self.status_frequency > 0.0 else None
+        self._status = StatusThread(self._publish_status_now, pause_s=STATUS_PAUSE_S, period_s=period_s)
+        rospy.on_shutdown(self._status.close)
+
+    def start(self) -> None:
+        """Take goals from now on; the first status is there when it returns."""
+        with self.lock:
+            self.initialize()
+            self.started = True
+            self._publish_status_now()
 
     def cancel_orphans(self) -> None:
         """From now on, cancel a goal when the process that sent it dies or leaves; see :class:`OrphanWatch`.
@@ -87,57 +79,36 @@ class QuietActionServer(actionlib.ActionServer):
         self._orphan_watch = OrphanWatch(self._is_listening)
 
     def publish_status(self) -> None:
-        """Publish the status of all goals, now or shortly afterwards, and repeatedly while there are goals.
+        """Have the status of all goals published soon, and repeatedly while there are goals.
 
         Each message holds every goal of the last seconds: when goals come in quick succession, publishing each
         change takes longer than carrying them out. Results are not delayed.
         """
-        with self.lock:
-            if self._deferred is not None:
-                return
-            pause_s = self._published_s + STATUS_PAUSE_S - time.monotonic()
-            if pause_s <= 0.0:
-                self._publish_status_now()
-                return
-            self._deferred = threading.Timer(pause_s, self._publish_deferred)
-            self._deferred.daemon = True
-            self._deferred.start()
+        if self._status is not None:
+            self._status.ask()
 
-    def _publish_deferred(self) -> None:
-        with self.lock:
-            self._deferred = None
-            self._publish_status_now()
-
-    def _publish_status_now(self) -> None:
+    def _publish_status_now(self) -> bool:
+        """Publish the status of all goals; returns whether there are any."""
+        self._look_for_orphans()
         with self.lock:
             # Publishing to a topic that rospy has closed would print a useless traceback.
             if is_shutting_down() or self.status_pub is None:
-                return
-            self._published_s = time.monotonic()
+                return False
             super().publish_status()
-            if not self.status_list:
-                self._end_timer()
-            else:
-                self._begin_timer()
-
-    def publish_status_async(self, event: Optional[rospy.timer.TimerEvent]) -> None:
-        """Publish from the timer."""
-        self._look_for_orphans()
-        with self.lock:
-            if self._goal_timer is not None:
-                super().publish_status_async(event)
+            return bool(self.status_list)
 
     def internal_goal_callback(self, goal: Any) -> None:
-        """Take a goal; its status is published when it changes, and by the timer."""
+        """Take a goal; its status is published soon after it changes, and repeatedly."""
         self.follow_clock()
         if self._orphan_watch is not None:
             with self.lock:
                 client = (getattr(goal, "_connection_header", None) or {}).get("callerid", "")
                 self._orphan_watch.note(goal.goal_id.id, client)
         super().internal_goal_callback(goal)
-        with self.lock:
-            if self.started and self.status_list:
-                self._begin_timer()
+        if self.on_taken is not None:
+            self.on_taken()
+        else:
+            self.publish_status()
 
     def internal_cancel_callback(self, goal_id: GoalID) -> None:
         """Cancel goals by id, or those up to a stamp."""
@@ -167,7 +138,9 @@ class QuietActionServer(actionlib.ActionServer):
         """Stop the action server; no goal may be running."""
         with self.lock:
             self.started = False
-            self._end_timer()
+            if self._status is not None:
+                self._status.close()
+                self._status = None
             for end in (self.goal_sub, self.cancel_sub, self.status_pub, self.feedback_pub, self.result_pub):
                 if end is not None:
                     end.unregister()
@@ -188,17 +161,6 @@ class QuietActionServer(actionlib.ActionServer):
             rospy.logwarn("%s: who sent the goal %s is gone; it is cancelled", self.ns, goal_id)
             self.internal_cancel_callback(GoalID(id=goal_id))
 
-    def _begin_timer(self) -> None:
-        if self._goal_timer is None and self.status_frequency > 0.0:
-            self._goal_timer = _StatusTimer(1.0 / self.status_frequency, lambda: self.publish_status_async(None))
-
-    def _end_timer(self) -> None:
-        if self._deferred is not None and rospy.is_shutdown():
-            self._deferred.cancel()
-        if self._goal_timer is not None:
-            self._goal_timer.shutdown()
-            self._goal_timer = None
-
 
 class QuietSimpleActionServer(actionlib.SimpleActionServer):
     """``actionlib.SimpleActionServer`` on a :class:`QuietActionServer`.
@@ -215,11 +177,15 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         auto_start: bool = True,
     ) -> None:
         """See ``actionlib.SimpleActionServer``."""
+        # The loop is woken by what is put here.
+        self._news: queue.SimpleQueue[None] = queue.SimpleQueue()
         super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=False)
         # The server of the base class was never started, so it has no topics.
         self.action_server = QuietActionServer(
             name, ActionSpec, self.internal_goal_callback, self.internal_preempt_callback, False
         )
+        if execute_cb is not None:
+            self.action_server.on_taken = lambda: self._news.put(None)
         rospy.on_shutdown(self._wake_up)
         if auto_start:
             self.start()
@@ -240,15 +206,15 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         """Wait for goals and run the callback, until shutdown.
 
         The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that
-        arrives in between waits as long. Here both happen under the lock.
+        arrives in between waits as long. And it is woken while the lock is still held. Here a goal that has been taken
+        wakes it, and no lock is needed.
         """
         while not rospy.is_shutdown():
             with self.terminate_mutex:
                 if self.need_to_terminate:
                     return
-            with self.execute_condition:
-                if not self.is_new_goal_available() and not self.need_to_terminate:
-                    self.execute_condition.wait(WAKE_UP_S)
+            with contextlib.suppress(queue.Empty):
+                self._news.get(timeout=WAKE_UP_S)
             if self.is_new_goal_available() and not rospy.is_shutdown():
                 self._run_callback(self.accept_new_goal())
 
@@ -266,6 +232,6 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
 
     def _wake_up(self) -> None:
         """End the loop; called by rospy at shutdown, while is_shutdown() may still be false."""
-        with self.terminate_mutex, self.execute_condition:
+        with self.terminate_mutex:
             self.need_to_terminate = True
-            self.execute_condition.notify_all()
+        self._news.put(None)
