@@ -1,6 +1,6 @@
 """The executor node: the newest command first; another one follows what runs, or runs beside it, if it says so.
 
-Callbacks only enqueue; one worker thread owns the commands. Each machine has a thread, and one waits for the next machine.
+Callbacks only enqueue; one worker thread owns the commands. Each machine has a thread, and one waits for the next one.
 """
 
 import enum

@@ -198,7 +198,8 @@ class CommandRun:
 
     def _run(self) -> None:
         outcome, error = "", ""
-        self._is_preempt_asked.wait(self._pause_s)
+        if self._pause_s > 0.0:
+            self._is_preempt_asked.wait(self._pause_s)
         try:
             self._machine = build_state_machine(
                 self._plan,

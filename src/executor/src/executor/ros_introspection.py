@@ -35,7 +35,7 @@ class Introspection:
 
     def __init__(self, *, is_enabled: bool) -> None:
         """Start the thread, if introspection is enabled."""
-        self._views: queue.Queue[_View] = queue.Queue()
+        self._views: queue.SimpleQueue[_View] = queue.SimpleQueue()
         self._last = _View(None)
         self._is_enabled = is_enabled
         if is_enabled:

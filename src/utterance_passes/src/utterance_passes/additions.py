@@ -3,6 +3,7 @@
 from typing import Optional, Sequence, Tuple
 
 from utterance_passes.clauses import has_case
+from utterance_passes.pass_relations import only_with
 from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -46,6 +47,7 @@ def _added(tree: DependencyTree, said: Sequence[Word]) -> Optional[Word]:
     return next((word for word in behind if word.upos in _NOUNS), None)
 
 
+@only_with("cc")
 def without_not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set "not only" aside before "but": "bring *not only* the cup but also the plate" forbids nothing."""
     edit = TreeEdit(tree)
@@ -57,6 +59,7 @@ def without_not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with("conj")
 def with_things_added(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Join a thing behind "and" to the object, not to the person or the place before it.
 

@@ -4,6 +4,7 @@ from typing import FrozenSet, Optional
 
 from spoken_quantities import find_unit
 from utterance_passes.clauses import has_case, verb_above
+from utterance_passes.pass_relations import only_with
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -37,6 +38,7 @@ _YOUR = frozenset(["your"])
 _USING = frozenset(["with", "using"])
 
 
+@only_with("nmod")
 def with_hands_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the robot's own hand to the verb, not to the object: "pick up the block *with your left hand*"."""
     edit = TreeEdit(tree)
@@ -56,6 +58,7 @@ def _is_own(tree: DependencyTree, hand: Word) -> bool:
     return is_used and (is_yours or any(child.form.lower() in _OF_ONE_HAND for child in children))
 
 
+@only_with("advmod")
 def with_there_at_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "there" to the thing that somebody points at and another person gets: "bring me that thing *over there*"
     names no goal, "put that thing over there" does."""
@@ -85,6 +88,7 @@ def _is_somebody(word: Word) -> bool:
     return is_person_or_name(word) or word.form.lower() in _PERSONS
 
 
+@only_with("nsubj")
 def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a phrase to the noun that it follows, not to the word that asks: "what is the colour of the cup *on the
     table*"."""
@@ -120,6 +124,7 @@ def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with("case")
 def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the side from which things are counted to the thing, "the second bottle *from the left*", and the side of
     another thing to what somebody gets, "bring me the cup *to the left of the plate*"."""
@@ -148,6 +153,7 @@ def _attach_to_what_is_given(edit: TreeEdit, tree: DependencyTree, side: Word, c
         edit.rehang(side.index, noun.index, "nmod")
 
 
+@only_with("obj", "iobj")
 def with_wholes_at_pronouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "all" or "both" to the pronoun before it, "put them *both* on the table", or to the object behind it,
     "take *both* the cup and the plate": there is one object."""
@@ -182,6 +188,7 @@ def _has_case(tree: DependencyTree, word: Word, prepositions: FrozenSet[str]) ->
     return any(child.deprel == "case" and child.form.lower() in prepositions for child in tree.children(word.index))
 
 
+@only_with("det", "nmod:poss")
 def with_words_before_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach an article or an owner to the object right behind it, not to a noun further on: "tell *the* kids dinner is
     ready", "tell *my* wife dinner is ready". Where the noun behind a thing is an object as well, both are one: "find
@@ -203,6 +210,7 @@ def with_words_before_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+@only_with("conj", "parataxis")
 def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make one thing of a thing and the words that tell it apart or describe it: "that mug, *the small one*" and "a
     mug, *but a clean one*" are no lists.
@@ -238,6 +246,7 @@ def _named_before(tree: DependencyTree, one: Word) -> Optional[Word]:
     return None if is_another else thing
 
 
+@only_with("compound:prt")
 def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a way of what stands behind "down" and before the goal: "drive *down the hall* to the door"."""
     edit = TreeEdit(tree)
@@ -258,6 +267,7 @@ def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("nmod")
 def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach how long to the verb, not to a place: "go to the hall and then to the office *for five minutes*"."""
     edit = TreeEdit(tree)

@@ -3,6 +3,7 @@
 from typing import Optional, Sequence
 
 from spoken_quantities import find_unit
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -15,6 +16,7 @@ _OBJECTS = frozenset(["obj", "iobj"])
 _PRONOUNS = frozenset(["PRON", "PROPN"])
 
 
+@only_with("nummod")
 def with_bounded_counts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a bound to its number: in "bring me *up to* three apples", "to" is no preposition of the apples.
 

@@ -3,6 +3,7 @@
 from typing import FrozenSet, List, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -20,6 +21,7 @@ _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _OPPOSITE_SIDES = word_class("opposite_sides")
 
 
+@only_with("case", "cc")
 def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing.
 

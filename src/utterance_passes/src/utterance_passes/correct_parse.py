@@ -5,6 +5,7 @@ from typing import FrozenSet, Iterable, List, Sequence
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
 from utterance_passes.clauses import has_case, is_then
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -71,6 +72,7 @@ def _is_before_finite(tree: DependencyTree, modal: Word) -> bool:
     return following.xpos in _FINITE_TAGS and modal.deprel.startswith("aux")
 
 
+@only_with("compound:prt")
 def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn a particle right before "to" into an adverb: "go up to the desk" does not mean "go up"."""
     edit = TreeEdit(tree)
@@ -81,6 +83,7 @@ def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> Dependency
     return edit.tree()
 
 
+@only_with("compound:prt", "xcomp")
 def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place after "on", "off" or a changed state to the object before it: "turn *the lights* off *in the
     bedroom*"."""
@@ -99,6 +102,7 @@ def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     return edit.tree()
 
 
+@only_with("obj")
 def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun. So does
     "about": "tell something *about yourself*"."""
@@ -120,6 +124,7 @@ def _phrases_at(
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 
 
+@only_with("vocative")
 def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn a false vocative back into the end of the object: "push the blue robot".
 
@@ -304,6 +309,7 @@ def _is_joined(tree: DependencyTree, word: Word) -> bool:
     return is_joined and _is_of_a_measure(word) and not has_case
 
 
+@only_with("case", "advmod", "compound:prt")
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn "around" between a verb of turning and a measure into an adverb: nothing goes round the measure."""
     for around in tree.words[1:]:
@@ -373,6 +379,7 @@ def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with("obl:unmarked")
 def with_steps_taken(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make an amount right behind a verb that means little alone its object: "take *three steps* back"."""
     edit = TreeEdit(tree)

@@ -3,6 +3,7 @@
 from typing import Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
+from utterance_passes.pass_relations import only_with
 from utterance_passes.persons import is_likely, is_person_or_name
 from utterance_passes.tree import ASIDE, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -24,6 +25,7 @@ _SPEAKERS = word_class("speaker_subjects")
 _UNTIL = frozenset(["until", "till"])
 
 
+@only_with("conj", "parataxis")
 def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a condition of a clause that is joined to the command: "bring me the cup, *but only if it is clean*"."""
     edit = TreeEdit(tree)
@@ -37,6 +39,7 @@ def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     return edit.tree()
 
 
+@only_with("advcl")
 def with_deeds_joined(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Join a bare verb behind a comma to the deed before it, which the parser takes for what goes on meanwhile: "find
     Anna, *find Bob*, and wave"."""
@@ -53,6 +56,7 @@ def with_deeds_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("acl:relcl")
 def with_deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of the command of what describes "the time": "be there *by the time Bob comes*" names no place."""
     edit = TreeEdit(tree)
@@ -73,6 +77,7 @@ def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
     return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
 
 
+@only_with("cc")
 def with_manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a manner that is joined like a deed: "follow me, *but slowly*", "go to the door and *slowly* open it"."""
     edit = TreeEdit(tree)
@@ -107,6 +112,7 @@ def _is_manner(word: Word) -> bool:
     return form in _MANNERS or form.endswith("ly")
 
 
+@only_with("mark")
 def with_particles_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a particle before a conjunction to its verb: "stand *by* until somebody comes"."""
     edit = TreeEdit(tree)
@@ -118,6 +124,7 @@ def with_particles_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+@only_with("advcl")
 def with_words_said(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make what somebody says the object of saying: "wave until I say *stop*" has no command "stop"."""
     edit = TreeEdit(tree)
@@ -132,6 +139,7 @@ def with_words_said(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
     return edit.tree()
 
 
+@only_with("conj")
 def with_phrases_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the last of three phrases with one preposition to the verb: "go to Bob, to Anna and *to Ben*"."""
     edit = TreeEdit(tree)
@@ -162,6 +170,7 @@ def _preposition(tree: DependencyTree, word: Word) -> str:
 _PHRASES = frozenset(["obl", "obl:unmarked", "advmod"])
 
 
+@only_with("xcomp")
 def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "do" before a bare verb its auxiliary: "please *do* shut the door"."""
     for do, verb in zip(tree.words, tree.words[1:]):
@@ -176,6 +185,7 @@ def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return tree
 
 
+@only_with("advcl")
 def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set a remark apart that no conjunction joins to the command: "guide Bob to the bath, *he is at the sink*"."""
     edit = TreeEdit(tree)
@@ -189,6 +199,7 @@ def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with("cop")
 def with_copulas_at_question_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "is" behind a question word to it, not to the subject: "who *is* the person at the sink"."""
     edit = TreeEdit(tree)
@@ -200,6 +211,7 @@ def with_copulas_at_question_words(tree: DependencyTree, _: Vocabulary) -> Depen
     return edit.tree()
 
 
+@only_with("mark")
 def with_prepositions_of_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "to" before a noun a preposition: "say hello *to Bob* in ten minutes"."""
     edit = TreeEdit(tree)
@@ -211,6 +223,7 @@ def with_prepositions_of_nouns(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("obl")
 def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place to the object of what the speaker cannot do: "I can't reach the biscuits *on the top shelf*"."""
     edit = TreeEdit(tree)
@@ -228,6 +241,7 @@ def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> Dependency
     return edit.tree()
 
 
+@only_with("expl")
 def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place behind what there is to the verb: "there is a radio *next to the bed*" says where it is."""
     edit = TreeEdit(tree)
@@ -243,6 +257,7 @@ def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
+@only_with("advmod")
 def with_places_over_here(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach an adverb of way to "here" or "there" behind it: "pull the cart *over* here" has one place. So has "stay
     *right* here", but "turn right here" has a side."""
@@ -258,6 +273,7 @@ def with_places_over_here(tree: DependencyTree, vocabulary: Vocabulary) -> Depen
     return edit.tree()
 
 
+@only_with("conj")
 def with_shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make the noun of two described things the head of both: "bring me the red and the blue *cup*"."""
     edit = TreeEdit(tree)
@@ -287,6 +303,7 @@ def _is_described(tree: DependencyTree, noun: Word) -> bool:
     return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.form.lower() not in _ONES
 
 
+@only_with("obl")
 def with_clothes_at_persons(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach what a person wears to the person: "find the man *in the red shirt*" does not look into a shirt."""
     edit = TreeEdit(tree)
@@ -300,6 +317,7 @@ def with_clothes_at_persons(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+@only_with("conj")
 def with_phrases_behind_joints(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a phrase between a conjunction and a verb to that verb, not to the one before: "go home and *after that*,
     clean the table"; also what stands between two commas and only points back."""
@@ -321,6 +339,7 @@ def with_phrases_behind_joints(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("advcl")
 def with_conditions_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach when the hearer does something to the command, not to what is found out: "make sure that
     the door is closed *before you go*"."""
@@ -340,6 +359,7 @@ def with_conditions_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> 
     return edit.tree()
 
 
+@only_with("xcomp")
 def with_bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Leave how long somebody else is to do something in what that person is told: "tell Bob to wait *until I come
     back*". To tell him takes no time."""

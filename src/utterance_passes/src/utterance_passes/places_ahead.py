@@ -1,5 +1,6 @@
 """Joins adverbs of place to what they say the place of: "ahead of", "the chair closest to the door"."""
 
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -10,6 +11,7 @@ _SUPERLATIVES = word_class("near_superlatives") | word_class("far_superlatives")
 _NOUNS = frozenset(["NOUN", "PROPN"])
 
 
+@only_with("case")
 def with_ahead_as_preposition(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "ahead of" to the noun behind it, and the noun to what "ahead" hangs on."""
     edit = TreeEdit(tree)
@@ -28,6 +30,7 @@ def with_ahead_as_preposition(tree: DependencyTree, _: Vocabulary) -> Dependency
     return edit.tree()
 
 
+@only_with("case")
 def with_superlatives_at_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a superlative of place, and the phrase behind it, to the noun before it: "the chair *closest to the
     door*" is one thing, and "to the door" is no way to go.

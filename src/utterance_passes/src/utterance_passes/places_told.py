@@ -2,6 +2,7 @@
 
 from typing import Tuple
 
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -29,6 +30,7 @@ _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
 
 
+@only_with("parataxis", "conj", "ccomp", "list")
 def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Replace "you will find her at the desk" beside a command by "she is at the desk".
 
@@ -74,6 +76,7 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
     return edit.tree()
 
 
+@only_with("cop")
 def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a goal of the place where something is: "show Bob *where it is*", "go *where Anna is*"."""
     edit = TreeEdit(tree)
@@ -107,6 +110,7 @@ def _is_clause_at(verb: Word, where: Word) -> bool:
     return where.deprel in _OF_STATEMENTS or (where.deprel == "parataxis" and where.index == verb.index + 1)
 
 
+@only_with("parataxis", "advcl", "ccomp", "advmod")
 def with_places_described(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach a clause to the place that it describes: "the room *where Anna is*", "the room *Anna is in*"."""
     edit = TreeEdit(tree)
@@ -143,6 +147,7 @@ def _is_stranded(tree: DependencyTree, preposition: Word) -> bool:
     return preposition.upos in ("ADP", "ADV") and is_one and {"nsubj", "cop"} <= relations
 
 
+@only_with("cop")
 def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a place before "is" the predicate of the thing behind it: "behind the robot is a door".
 

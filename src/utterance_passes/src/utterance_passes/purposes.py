@@ -2,6 +2,7 @@
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import prepositions_of
+from utterance_passes.pass_relations import only_with
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -57,6 +58,7 @@ def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+@only_with("acl", "advcl")
 def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a purpose with an object of its own to the verb if it stands behind a certain thing: "open *the window to
     air the room*"; and one without an object to any thing before it: "find *a chair to sit on*".

@@ -2,6 +2,7 @@
 
 from typing import FrozenSet
 
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary, is_verb
@@ -12,6 +13,7 @@ _THERE = frozenset(["there"])
 _THINGS = word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things") | {"one"}
 
 
+@only_with("ccomp")
 def with_deeds_behind_questions(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Join a deed that names what a question asks for to the verb of the command: nobody asks "what he wants to bring
     *it* to him"."""

@@ -2,6 +2,7 @@
 
 from typing import Sequence
 
+from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
@@ -22,6 +23,7 @@ _PERSONS = word_class("personal_subjects")
 _SUBJECTS = ("nsubj", "nsubj:pass", "expl")
 
 
+@only_with("advcl")
 def without_reasons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the clauses that give the reason for a command, or what speaks against it: they do not change it.
 

@@ -6,6 +6,7 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 from typing import FrozenSet, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
+from utterance_passes.pass_relations import only_with
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -93,6 +94,7 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
+@only_with("conj", "xcomp", "advcl")
 def with_commands_behind_statements(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a clause of its own of a command behind a statement: in "the dog needs to go out, *open the door*" the dog
     opens nothing."""
@@ -117,6 +119,7 @@ def with_commands_behind_statements(tree: DependencyTree, vocabulary: Vocabulary
     return edit.tree()
 
 
+@only_with("acl:relcl")
 def with_remarks_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of its own of a whole sentence behind a noun: in "bring me water *I'm thirsty*" the water is not
     described."""
@@ -135,6 +138,7 @@ def with_remarks_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with("case")
 def with_prepositions_at_names(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a preposition to the noun right behind it: in "look *for Adam* at the chair" it does not belong to the
     chair."""
@@ -152,6 +156,7 @@ def with_prepositions_at_names(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("cop")
 def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a clause of a predicate behind the question that is to be told: "tell what day *is tomorrow*"."""
     edit = TreeEdit(tree)
@@ -174,6 +179,7 @@ def with_told_predicates(tree: DependencyTree, vocabulary: Vocabulary) -> Depend
     return edit.tree()
 
 
+@only_with("iobj", "obj")
 def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Join a person behind "and" to the hearer, not to what the hearer is told: "tell her *and Bob* that dinner is
     ready" tells nothing of Bob, nor does "tell her *and then Bob* that ..."."""
@@ -199,6 +205,7 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     return edit.tree()
 
 
+@only_with("conj")
 def with_deeds_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Join a deed to what a hearer is to do, if it cannot be the robot's: "tell him to sit down *and to relax*", and
     without "to" where the robot does not know how to do that."""
@@ -308,6 +315,7 @@ def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
     return None
 
 
+@only_with("acl")
 def with_requests_behind_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach what somebody is asked for to the verb, not to the description of the person: "ask the woman sitting there
     *for her name*"."""
@@ -324,6 +332,7 @@ def with_requests_behind_clauses(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
+@only_with("ccomp")
 def with_things_named_by_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "what" the thing that a clause describes: "bring me *what* I left there" asks nothing."""
     edit = TreeEdit(tree)
@@ -340,6 +349,7 @@ def with_things_named_by_clauses(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
+@only_with("acl:relcl")
 def with_goals_behind_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the goal behind the description of a thing to the verb: "bring the book I put on the shelf *to Anna*"."""
     edit = TreeEdit(tree)
@@ -380,6 +390,7 @@ def _is_and_then(joint: Word, then: Word) -> bool:
     return joint.form.lower() == "and" and then.form.lower() == "then"
 
 
+@only_with("cop")
 def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of an object that has a subject and a copula: "find out *what time it is*"."""
     edit = TreeEdit(tree)
@@ -413,6 +424,7 @@ def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("advcl")
 def with_asked_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition. What
     somebody is told how to do is such a clause, too: "tell Bob *how to get there*"."""

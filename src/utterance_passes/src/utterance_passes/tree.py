@@ -111,6 +111,12 @@ class DependencyTree:
         return any(child.deprel == "mark" and child.form.lower() == "to" for child in self.children(index))
 
     @cached_property
+    def relations(self) -> FrozenSet[str]:
+        """The relations of all words, with and without subtype."""
+        found = {word.deprel for word in self.words}
+        return frozenset(found | {relation.split(":")[0] for relation in found})
+
+    @cached_property
     def abandoned(self) -> FrozenSet[int]:
         """Positions of corrected words, editing terms and asides."""
         return frozenset().union(
