@@ -36,6 +36,8 @@ COUNT, WARM_UP = 200, 20
 # For how long a thread of the measuring process may compute. Python's own 5 ms are as long as a command takes: a thread
 # that reads a status would hold up the one that notes an arrival.
 SWITCH_INTERVAL_S = 0.0005
+#: For how long the bare server tells that a goal is over.
+STATUS_LIST_TIMEOUT_S = 0.2
 TEXT = "Ping."
 
 
@@ -75,6 +77,8 @@ class Measurement:
         rospy.init_node("measuring")
         self.pause_s = PAUSES[0][0]
         self._arrivals = Arrivals(ANSWER_TIMEOUT_S)
+        # Otherwise each status tells of hundreds of goals that are over, and this process would do little else.
+        rospy.set_param("bare_server/status_list_timeout", STATUS_LIST_TIMEOUT_S)
         self._bare_server = actionlib.SimpleActionServer(
             "bare_server", TestAction, lambda goal: self._take_bare_goal(), auto_start=False
         )

@@ -85,7 +85,6 @@ class ArbitratorNode:
                 sentence=f"The candidates could not be put in order: {error}.",
             )
             return
-        sentence = describe(plan)
         topic = self._standing_order if isinstance(plan, STANDING) else self._command_plan
         if topic is self._standing_order and not topic.is_read:
             self._stage.ends(
@@ -99,6 +98,7 @@ class ArbitratorNode:
         ordered.beginning = message.plan.beginning
         # The next stage works while the others are told.
         topic.publish(CommandPlan(command=message.command, plan=ordered))
+        sentence = describe(plan)
         self._stage.passes_on(message.command, sentence, trace="\n".join(trace))
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         procedure = procedure_to_message(plan)

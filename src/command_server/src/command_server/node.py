@@ -166,6 +166,8 @@ class CommandServerNode:
                 except Exception as error:  # boundary: one event must not keep the others from being handled
                     kind, fault = type(event).__name__, type(error).__name__
                     rospy.logerr("command_server could not handle a %s: %s: %s", kind, fault, error)
+            # The stages work while this thread looks after everything else.
+            self._send()
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
@@ -177,8 +179,7 @@ class CommandServerNode:
                 self._brake.stop(StopOrder(key=_RESTART_KEY, stamp_ns=self._start_ns, is_for_frames_only=True))
             for ending in self._left_over.take_answers():
                 self._answer(ending)
-            self._save()
-            self._texts.send()
+            self._send()
             self._replies.publish_status(self._commands.open_commands)
 
     def _is_idle(self) -> bool:
@@ -426,6 +427,11 @@ class CommandServerNode:
     def _publish_reply(self, ending: Ending) -> None:
         self._texts.drop(ending.command.command_id)
         self._action.finish(self._replies.publish(ending), command_id=ending.command.command_id)
+
+    def _send(self) -> None:
+        """Send what is new to the parser, when it is saved."""
+        self._save()
+        self._texts.send()
 
     def _save(self) -> None:
         commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)

@@ -33,6 +33,9 @@ _OVER = (
 _CANCELLABLE = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 #: Changes of the status within this time are published in one message, seconds.
 STATUS_PAUSE_S = 0.02
+#: Of the goals that are over, so many are in a status. actionlib tells of all those of the last 5 s: where hundreds end
+#: in a second, everybody reads them all for each new goal.
+MOST_OVER = 50
 
 
 class QuietActionServer(actionlib.ActionServer):
@@ -94,8 +97,16 @@ class QuietActionServer(actionlib.ActionServer):
             # Publishing to a topic that rospy has closed would print a useless traceback.
             if is_shutting_down() or self.status_pub is None:
                 return False
+            self._forget_oldest()
             super().publish_status()
             return bool(self.status_list)
+
+    def _forget_oldest(self) -> None:
+        """Forget the goals that were over first, if many are. Called with the lock."""
+        over = [tracker for tracker in self.status_list if tracker.status.status in _OVER]
+        if len(over) > MOST_OVER:
+            forgotten = {id(tracker) for tracker in over[:-MOST_OVER]}
+            self.status_list[:] = [tracker for tracker in self.status_list if id(tracker) not in forgotten]
 
     def internal_goal_callback(self, goal: Any) -> None:
         """Take a goal; its status is published soon after it changes, and repeatedly."""

@@ -141,7 +141,7 @@ def run_tree_passes(
             made = tree
             if trace is not None:
                 trace.add(one.name, after=f"left as it was: {error}")
-        if trace is not None:
+        if trace is not None and made is not tree:
             trace.add_changes(one.name, tree, made)
         tree = made
     return tree
