@@ -218,6 +218,20 @@ class RFNServerTest(unittest.TestCase):
         self.assertEqual(len(statuses), 1)
         subscriber.unregister()
 
+    def test_status_tells_of_the_last_goals_that_are_over(self) -> None:
+        self.serve("hurrying_on", lambda _frame: None)
+        most = ros_quiet_action_server.MOST_OVER
+        counts: List[int] = []
+        subscriber = rospy.Subscriber(
+            "hurrying_on/status", GoalStatusArray, lambda status: counts.append(len(status.status_list))
+        )
+        for _ in range(most + 20):
+            self.assertEqual(Goal("hurrying_on", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+        wait_until(lambda: max(counts) >= most)
+        subscriber.unregister()
+        # And the one that runs.
+        self.assertLessEqual(max(counts), most + 1)
+
     def test_idle_server_ends_at_once_when_ros_shuts_down(self) -> None:
         hooks: List[Callable[[], None]] = []
         with mock.patch.object(ros_quiet_action_server, "WAKE_UP_S", 1e5), mock.patch.object(

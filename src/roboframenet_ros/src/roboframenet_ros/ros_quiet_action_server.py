@@ -38,6 +38,11 @@ STATUS_PAUSE_S = 0.02
 MOST_OVER = 50
 
 
+def _is_later(stamp: rospy.Time, than: rospy.Time) -> bool:
+    """Compare two times; rospy's comparison takes ten times as long, and each goal is compared for each new one."""
+    return bool(stamp.secs >= than.secs and stamp > than)
+
+
 class QuietActionServer(actionlib.ActionServer):
     """``actionlib.ActionServer`` that publishes its status at actionlib's rate only while it tracks a goal.
 
@@ -139,10 +144,10 @@ class QuietActionServer(actionlib.ActionServer):
             if self.last_cancel > latest:
                 self.last_cancel = rospy.Time()
             for tracker in self.status_list:
-                if tracker.status.goal_id.stamp > latest:
+                if _is_later(tracker.status.goal_id.stamp, latest):
                     # Older than whatever is said since, even while no clock has arrived and all stamps are zero.
                     tracker.status.goal_id.stamp = rospy.Time()
-                if tracker.handle_destruction_time > latest:
+                if _is_later(tracker.handle_destruction_time, latest):
                     tracker.handle_destruction_time = now
 
     def stop(self) -> None:
