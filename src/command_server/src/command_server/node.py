@@ -63,6 +63,7 @@ _WAIT_FOR_STOP = 3.0
 _BRAKE_SLACK_S = 1.0
 # At the end: for the worker, and for the last messages to leave the process.
 _JOIN_TIMEOUT_S, _FLUSH_S = 5.0, 0.1
+_ALL_STOPPED = "Everything that it had started is stopped: zero velocity, and no goal is left."
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
@@ -402,11 +403,7 @@ class CommandServerNode:
         if not finding.is_first:
             self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
-        remark = (
-            "Everything that it had started is stopped: zero velocity, and no goal is left."
-            if is_stopped
-            else may_still_move(finding.obedience)
-        )
+        remark = _ALL_STOPPED if is_stopped else may_still_move(finding.obedience)
         for entry in self._commands.open_commands:
             if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
                 self._answer_condemned(entry.command.command_id, remark)
@@ -429,15 +426,12 @@ class CommandServerNode:
         self._action.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _send(self) -> None:
-        """Send what is new to the parser, when it is saved."""
-        self._save()
+        """Save which commands are open, and send what is new to the parser."""
+        open_ones = tuple(entry.command for entry in self._commands.open_commands)
+        before, self._saved = self._saved, self._left_over.commands + open_ones
+        if self._saved != before:
+            self._store.save(self._saved)
         self._texts.send()
-
-    def _save(self) -> None:
-        commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)
-        if commands != self._saved:
-            self._store.save(commands)
-        self._saved = commands
 
     def _answer_all_at_shutdown(self) -> None:
         open_commands = self._commands.open_commands
@@ -449,7 +443,7 @@ class CommandServerNode:
             self._conclude(ending_at_shutdown(entry.command))
         for ending in self._left_over.take_answers(is_last_chance=True):
             self._answer(ending)
-        self._save()
+        self._send()
 
 
 def _now_ns() -> int:

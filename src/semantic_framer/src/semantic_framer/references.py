@@ -19,9 +19,10 @@ from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
 from spoken_quantities.numbers import find_whole_number
 from typed_arguments import TypedArgument
-from utterance_passes.clauses import Clause
+from utterance_passes.clauses import Clause, prepositions_of
 from utterance_passes.persons import is_person
 from utterance_passes.tree import Word
+from utterance_passes.tree_edits import TreeEdit
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
@@ -32,7 +33,8 @@ _MORE = " more"
 _TYPES_OF_WHAT_HOLDS = {"Device": ["Device"], CONTAINER: ["Container", "Portal", "Device"]}
 _PERSONS = frozenset(["Sentient"])
 _HERE_AND_THERE = word_class("here_and_there")
-_PREPOSITIONS = word_class("place_prepositions") | word_class("from_prepositions") | frozenset(["of", "with"])
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_PREPOSITIONS = _PLACE_PREPOSITIONS | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
 _ROBOTS = word_class("robots")
 _OF = "of"
@@ -49,6 +51,7 @@ _SIDES = word_class("left_and_right")
 _PARTS = word_class("sides") - _SIDES
 #: "Where *he* wants to sit" names a place; "where my keys are" is about the keys.
 _WHERE = "where "
+_WHEREABOUTS = word_class("verbs_of_whereabouts")
 _WHOLE = word_class("determiners_of_all")
 _PLURAL = word_class("plural_pronouns")
 #: FrameNet's names of elements for how something is.
@@ -314,10 +317,25 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     ]
     if len(things) != 1:
         return None
-    phrase = sentence.phrases.argument("", things[0].index)
+    phrase = _with_place_told(sentence, things[0]).phrases.argument("", things[0].index)
     return Thing(
         _inside_a_sentence(phrase.text), things[0].lemma.lower(), is_plural=phrase.is_plural, phrases=(phrase,)
     )
+
+
+def _with_place_told(sentence: Sentence, thing: Word) -> Sentence:
+    """Return the sentence with the place that a statement tells attached to its thing: "I left my keys *in the
+    kitchen*, bring them"."""
+    verb = sentence.word(thing.head) if thing.head else thing
+    edit = TreeEdit(sentence.tree)
+    behind = max(sentence.subtree(thing.index)) + 1
+    for place in sentence.children(verb.index) if verb.lemma.lower() in _WHEREABOUTS else ():
+        positions = sentence.subtree(place.index)
+        says_where = bool(_PLACE_PREPOSITIONS.intersection(prepositions_of(sentence.tree, place.index)))
+        is_time = any(place.index in time for time in sentence.tree.times)
+        if place.deprel == "obl" and min(positions) == behind and says_where and not is_time:
+            edit.rehang(place.index, thing.index, "nmod")
+    return sentence.attached(edit.tree())
 
 
 def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
