@@ -21,6 +21,7 @@ from semantic_framer.linked_sentence import (
     swallowed_joints,
     swallowed_words,
 )
+from semantic_framer.mixed_lists import are_handled_apart, with_items_apart
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.news import told_when
 from semantic_framer.objections import against_what_runs
@@ -40,6 +41,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.plain_sentence import read_plain
 from semantic_framer.questions import remark_readings
+from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
@@ -304,6 +306,9 @@ class _Hearing:
         known, outcome = self._now.known, heard.outcome
         if isinstance(outcome, Understood):
             best = [readings[0] for readings in outcome.clauses]
+            apart = self._items_apart(sentence, best, context)
+            if apart is not None:
+                return apart
             doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
@@ -326,7 +331,25 @@ class _Hearing:
             if not isinstance(heard.outcome, Understood):
                 return heard
             best = [readings[0] for readings in heard.outcome.clauses]
+            apart = self._items_apart(sentence, best, context)
+            if apart is not None:
+                return apart
         words = swallowed_words(sentence, known, best)
         if words:
             return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
+        return heard
+
+    def _items_apart(self, sentence: Sentence, best: Sequence[Reading], context: Context) -> Optional[Heard]:
+        """Understand each item of a list for itself; None where the items are not handled in different ways."""
+        apart = with_items_apart(sentence, best)
+        if apart is None:
+            return None
+        trace = Trace() if self._trace is not None else None
+        heard = _Hearing(replace(self._now, trace=trace), self._without)._read_command(apart, context)
+        outcome = heard.outcome
+        if not isinstance(outcome, Understood) or not are_handled_apart(best, [one[0] for one in outcome.clauses]):
+            return None
+        self._now.write("mixed_lists", sentence.tree.text, "divided. Its items are handled in different ways.")
+        if trace is not None and self._trace is not None:
+            self._trace.extend(trace.lines)
         return heard

@@ -20,6 +20,12 @@ def has_items(readings: Sequence[Reading]) -> bool:
     return _list_of(readings[0]) is not None
 
 
+def listed_items(reading: Reading) -> Tuple[TypedArgument, ...]:
+    """Return the items of the list that a reading has; nothing without one."""
+    listed = _list_of(reading)
+    return () if listed is None else _flat(listed)
+
+
 def items_apart(
     sentence: Sentence, readings: Sequence[Reading], positions: FrozenSet[int]
 ) -> Tuple[Tuple[Tuple[Reading, ...], FrozenSet[int]], ...]:
