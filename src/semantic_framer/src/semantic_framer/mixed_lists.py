@@ -21,7 +21,7 @@ def with_items_apart(sentence: Sentence, readings: Sequence[Reading]) -> Optiona
     edit = TreeEdit(sentence.tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []
     for reading in readings:
-        heads = [_head(sentence, item.positions) for item in listed_items(reading)]
+        heads = [_head(sentence, frozenset(item.positions)) for item in listed_items(reading)]
         if not heads or None in heads:
             continue
         first, *others = (head for head in heads if head is not None)
