@@ -3,11 +3,11 @@
 
 One process sends the texts, takes the goals, and notes when the message of each stage arrives; between ten texts and
 the next ten it sends bare ones through a relay, which answers them and sends bare goals. All of it happens in one run,
-in turn, so that a machine that is busy is busy for both. A text follows the last one after a pause, as when people speak; and then
-at once, as when a program does, when the processor still has in its caches what each process needs. To listen to the
-stages costs time, too: first the whole way is measured without that. The text is always the same, so the parser has its
-parse already: what is measured is everything else. The parser has the lean runtime, because Stanza would still be
-loading. Further arguments go to the launch file ("150 compact:=true").
+in turn, so that a machine that is busy is busy for both. A text follows the last one after a pause, as when people
+speak; and then at once, as when a program does, when the processor still has in its caches what each process needs. To
+listen to the stages costs time, too: first the whole way is measured without that. The text is always the same, so the
+parser has its parse already: what is measured is everything else. The parser has the lean runtime, because Stanza would
+still be loading. Further arguments go to the launch file ("150 compact:=true").
 """
 
 import os
