@@ -232,6 +232,17 @@ class RFNServerTest(unittest.TestCase):
         # And the one that runs.
         self.assertLessEqual(max(counts), most + 1)
 
+    def test_status_that_cannot_be_written_does_not_silence_the_server(self) -> None:
+        server = self.serve("mumbling", lambda _frame: None)
+        statuses: List[GoalStatusArray] = []
+        subscriber = rospy.Subscriber("mumbling/status", GoalStatusArray, statuses.append)
+        with mock.patch.object(server.action_server, "_forget_oldest", side_effect=RuntimeError("odd")) as failing:
+            self.assertEqual(Goal("mumbling", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+            wait_until(lambda: failing.called)
+        count = len(statuses)
+        wait_until(lambda: len(statuses) > count, message="the server is silent")
+        subscriber.unregister()
+
     def test_idle_server_ends_at_once_when_ros_shuts_down(self) -> None:
         hooks: List[Callable[[], None]] = []
         with mock.patch.object(ros_quiet_action_server, "WAKE_UP_S", 1e5), mock.patch.object(

@@ -69,7 +69,7 @@ class QuietActionServer(actionlib.ActionServer):
             self.status_timer.shutdown()
             self.status_timer = None
         period_s = 1.0 / self.status_frequency if self.status_frequency > 0.0 else None
-        self._status = StatusThread(self._publish_status_now, pause_s=STATUS_PAUSE_S, period_s=period_s)
+        self._status = StatusThread(self._publish_or_say_why_not, pause_s=STATUS_PAUSE_S, period_s=period_s)
         rospy.on_shutdown(self._status.close)
 
     def start(self) -> None:
@@ -94,6 +94,14 @@ class QuietActionServer(actionlib.ActionServer):
         """
         if self._status is not None:
             self._status.ask()
+
+    def _publish_or_say_why_not(self) -> bool:
+        """Publish the status of all goals; returns whether it must be repeated."""
+        try:
+            return self._publish_status_now()
+        except Exception as error:  # boundary: a goal may have any text, and the thread must tell of the others, too
+            rospy.logerr_throttle(10.0, f"{self.ns}: the status cannot be published: {type(error).__name__}: {error}")
+            return True
 
     def _publish_status_now(self) -> bool:
         """Publish the status of all goals; returns whether there are any."""
