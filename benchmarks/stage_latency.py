@@ -178,18 +178,19 @@ def measure(count: int) -> int:
 def print_table(measurement: Measurement, count: int) -> int:
     """Measure and print."""
     all_times: Dict[str, List[float]] = {}
+    blocks = ceil(count / BLOCK)
     for measures in ((measurement.bare, measurement.whole), (measurement.bare, measurement.stages)):
         if measurement.stages in measures:
             measurement.observe()
         for measurement.pause_s, suffix in PAUSES:
-            for number in range(WARM_UP_BLOCKS + ceil(count / BLOCK)):
+            for number in range(WARM_UP_BLOCKS + blocks):
                 for measure_one in measures:
                     # What the block before has left in the caches is not what a text leaves.
                     measure_one()
                     for what, ms in (item for _ in range(BLOCK) for item in measure_one().items()):
                         if number >= WARM_UP_BLOCKS:
                             all_times.setdefault(what + suffix, []).append(ms)
-    print(f"{'':34}{'p50 ms':>10}{'p99 ms':>10}   of {count}")
+    print(f"{'':34}{'p50 ms':>10}{'p99 ms':>10}   of {blocks * BLOCK}")
     for _, suffix in PAUSES:
         hop, floor = (quantiles(all_times[what + suffix])[0] for what in (HOP, "floor"))
         for what in (what for what in all_times if what.endswith(PAUSES[1][1]) == bool(suffix)):

@@ -21,8 +21,7 @@ class ReadyThread:
         """
         self._name = name
         self._lock = threading.Lock()
-        self._waiting: Optional[queue.SimpleQueue[Work]] = None
-        self._waiting = self._start()
+        self._waiting: Optional[queue.SimpleQueue[Work]] = self._start()
 
     def run(self, work: Work) -> None:
         """Begin a work, whatever else still runs; returns at once. The work must handle its exceptions."""

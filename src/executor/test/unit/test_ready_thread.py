@@ -26,9 +26,12 @@ def test_work_runs_in_another_thread() -> None:
     assert run_and_wait(ReadyThread("work")) != threading.get_ident()
 
 
-def test_works_run_at_the_same_time() -> None:
-    threads = ReadyThread("work")
-    # It is passed when all three are in it.
+def run_three_that_meet(threads: ReadyThread) -> None:
+    """Return when three works run at the same time.
+
+    Raises:
+        BrokenBarrierError: they do not
+    """
     meeting = threading.Barrier(4)
     for _ in range(3):
         threads.run(lambda: meeting.wait(LONG_S) and None)
@@ -36,12 +39,13 @@ def test_works_run_at_the_same_time() -> None:
     assert not meeting.broken
 
 
+def test_works_run_at_the_same_time() -> None:
+    run_three_that_meet(ReadyThread("work"))
+
+
 def test_one_thread_waits_when_the_others_have_ended() -> None:
     threads = ReadyThread("ready")
-    meeting = threading.Barrier(4)
-    for _ in range(3):
-        threads.run(lambda: meeting.wait(LONG_S) and None)
-    meeting.wait(LONG_S)
+    run_three_that_meet(threads)
     for _ in range(50):
         run_and_wait(threads)
     alive = [thread for thread in threading.enumerate() if thread.name == "ready"]

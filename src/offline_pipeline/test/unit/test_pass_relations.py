@@ -3,10 +3,8 @@
 import re
 from typing import Iterator, Tuple
 
-import pytest
 from talking_table import TABLES, read_table
 
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer.framed_lexicon import FramedLexicon
 from stanford_parser_ros.model import UnparsableText
@@ -39,13 +37,6 @@ def check(one: TreePass, tree: DependencyTree, vocabulary: Vocabulary) -> Tuple[
         return made, False
     assert result(everywhere, tree, vocabulary) == made, f'{one.name} loses "{tree.text}"'
     return made, made is tree
-
-
-@pytest.fixture(scope="module")
-def pipeline() -> Pipeline:
-    knowledge = load_knowledge([shipped_domains()])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def test_no_pass_loses_anything(pipeline: Pipeline) -> None:

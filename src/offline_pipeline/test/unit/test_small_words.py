@@ -6,7 +6,6 @@ from typing import Any, List, Tuple
 
 import pytest
 
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
 
 PAIRS = [
@@ -16,13 +15,6 @@ PAIRS = [
 ]
 #: Attributes that repeat the words as they were said; what they mean must be in the others.
 WORDS = ("text", "words", "positions", "head_position", "position")
-
-
-@pytest.fixture(scope="module")
-def pipeline() -> Pipeline:
-    knowledge = load_knowledge([shipped_domains()])
-    pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
 
 
 def plain(value: Any) -> Any:

@@ -8,7 +8,7 @@ from typing import Callable, Optional
 class StatusThread:
     """Calls a function when a status is due, by the machine's time: a server is alive while a simulation is paused.
 
-    One thread does it from the first status until `close`: to start a thread for a goal takes longer than to take the
+    One thread does it from the first `ask` until `close`: to start a thread for a goal takes longer than to take the
     goal. Whoever changes a status only wakes it, and nobody waits for it.
     """
 

@@ -304,11 +304,16 @@ class _Hearing:
         if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
             return heard
         known, outcome = self._now.known, heard.outcome
-        if isinstance(outcome, Understood):
-            best = [readings[0] for readings in outcome.clauses]
-            apart = self._items_apart(sentence, best, context)
-            if apart is not None:
-                return apart
+        is_plain = isinstance(outcome, Understood)
+        if not isinstance(outcome, Understood):
+            heard = read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
+        if not isinstance(heard.outcome, Understood):
+            return heard
+        best = [readings[0] for readings in heard.outcome.clauses]
+        apart = self._items_apart(sentence, best, context)
+        if apart is not None:
+            return apart
+        if is_plain:
             doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
@@ -326,14 +331,6 @@ class _Hearing:
                 how = how if how.found else joints
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
-        else:
-            heard = read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
-            if not isinstance(heard.outcome, Understood):
-                return heard
-            best = [readings[0] for readings in heard.outcome.clauses]
-            apart = self._items_apart(sentence, best, context)
-            if apart is not None:
-                return apart
         words = swallowed_words(sentence, known, best)
         if words:
             return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)

@@ -335,7 +335,8 @@ def _with_place_told(sentence: Sentence, thing: Word) -> Sentence:
         is_time = any(place.index in time for time in sentence.tree.times)
         if place.deprel == "obl" and min(positions) == behind and says_where and not is_time:
             edit.rehang(place.index, thing.index, "nmod")
-    return sentence.attached(edit.tree())
+    tree = edit.tree()
+    return sentence if tree is sentence.tree else sentence.attached(tree)
 
 
 def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:

@@ -93,7 +93,7 @@ class ParserNode:
         self._trouble = ""
         begin_s = time.monotonic()
         self._parser = Parser(self._load_models(), cache_size=settings.cache_size)
-        self._commands: queue.SimpleQueue[Command] = queue.SimpleQueue()
+        self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
         self._is_closing = threading.Event()
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
@@ -148,16 +148,15 @@ class ParserNode:
         self._known = replace(self._known, names=words)
 
     def _on_command(self, command: Command) -> None:
-        # Only this thread adds commands.
-        if self._commands.qsize() < self._settings.queue_size:
-            self._commands.put(command)
-            return
-        self._stage.ends(
-            command,
-            outcome=Reply.FAILED,
-            code="STAGE_ERROR",
-            sentence="Too many commands are waiting to be parsed.",
-        )
+        try:
+            self._commands.put_nowait(command)
+        except queue.Full:
+            self._stage.ends(
+                command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence="Too many commands are waiting to be parsed.",
+            )
 
     def _close(self) -> None:
         """Let the current parse end while its reply can still be published."""
