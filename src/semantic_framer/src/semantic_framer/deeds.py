@@ -34,15 +34,22 @@ def deeds_of(case: Case, trace: Optional[Trace]) -> Tuple[Optional[Refusal], Tup
 def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
     """Read each clause except the clauses that only tell something."""
     found: List[ClauseReadings] = []
+    ahead: List[Clause] = []
     has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
     for clause, kind in zip(case.clauses, case.kinds):
         is_read = kind.is_read or (clause.is_negated and not _is_reason(case, clause))
-        if found and found[-1].kept and _is_forbidden_meanwhile(case, clause):
-            found[-1] = with_extra(found[-1], prohibition_beside(case.sentence, clause))
+        is_beside = bool(found and found[-1].kept) or (not found and _is_before_command(case, clause))
+        if is_beside and _is_forbidden_meanwhile(case, clause):
+            if found:
+                found[-1] = with_extra(found[-1], prohibition_beside(case.sentence, clause))
+            else:
+                ahead.append(clause)
             if trace is not None:
                 trace.add("forbidden_meanwhile", case.text_of(clause), after="asked", positions=clause.positions)
             continue
         read = readings_of_clause(case, clause, trace) if is_read else None
+        while read is not None and read.kept and ahead:
+            read = with_extra(read, prohibition_beside(case.sentence, ahead.pop(0)))
         is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
         if read is not None and not (is_told and case.is_background(clause)):
             found.append(as_wish(read) if clause.lemma in _WANTING and not has_order else read)
@@ -51,13 +58,25 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
     return tuple(found)
 
 
+def _is_before_command(case: Case, clause: Clause) -> bool:
+    """Whether a command of its own follows a clause, behind a mark: "don't touch the vase; *clean the table*"."""
+    words = case.sentence.tree.words
+    return any(
+        kind.acts
+        and case.sentence.word(other.verb).deprel == "parataxis"
+        and any(word.upos == "PUNCT" for word in words[clause.verb : other.verb])
+        for other, kind in zip(case.clauses, case.kinds)
+    )
+
+
 def _is_forbidden_meanwhile(case: Case, clause: Clause) -> bool:
-    """Whether a clause says what is not to be done besides a command before it: "take the cup, but *don't drop it*"."""
+    """Whether a clause says what is not to be done besides a command: "take the cup, but *don't drop it*"."""
     if case.policy.left_over_words is not LeftOverWords.ASK or not clause.is_negated or clause.condition:
         return False
     subject = case.sentence.word(clause.subject).form.lower() if clause.subject else ""
     forms = [child.form.lower() for child in case.sentence.children(clause.verb)]
-    return (not subject or subject in _HEARERS) and "do" in forms and not _NOT.isdisjoint(forms)
+    is_forbidden = "never" in forms or ("do" in forms and not _NOT.isdisjoint(forms))
+    return (not subject or subject in _HEARERS) and is_forbidden
 
 
 def _is_reason(case: Case, clause: Clause) -> bool:

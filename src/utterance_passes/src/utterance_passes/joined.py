@@ -187,14 +187,20 @@ def with_emphatic_do(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 @only_with("advcl")
 def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Set a remark apart that no conjunction joins to the command: "guide Bob to the bath, *he is at the sink*"."""
+    """Set a remark apart that no conjunction joins to the command: "guide Bob to the bath, *he is at the sink*", "*the
+    lamp is on*, switch it off"."""
     edit = TreeEdit(tree)
     for predicate in tree.words:
         children = tree.children(predicate.index)
         first = min((child.index for child in children if child.upos != "PUNCT"), default=predicate.index)
         is_finite = any(child.deprel == "cop" for child in children) and tree.word(first).deprel == "nsubj"
-        is_behind = predicate.deprel == "advcl" and 0 < predicate.head < first and tree.word(first - 1).form == ","
-        if is_finite and is_behind and not any(child.deprel == "mark" for child in children):
+        if predicate.deprel != "advcl" or not is_finite or any(child.deprel == "mark" for child in children):
+            continue
+        if predicate.head < first:
+            mark = first - 1
+        else:
+            mark = 1 + max(word for word in tree.subtree(predicate.index) if tree.word(word).upos != "PUNCT")
+        if tree.word(mark).form == "," and not first < predicate.head < mark:
             edit.relabel(predicate.index, "parataxis")
     return edit.tree()
 

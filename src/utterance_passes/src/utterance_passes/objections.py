@@ -8,6 +8,7 @@ from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
+_BY_THE_WAY = word_class("verbs_of_mishaps")
 _LEAD_IN = word_class("lead_in")
 _NOT = word_class("not")
 _OPENING = pattern_of("objections")
@@ -16,10 +17,12 @@ _OPENING = pattern_of("objections")
 def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right".
 
-    What is not to be done is such an opening, too: "don't turn left, turn right".
+    What is not to be done is such an opening, too: "don't turn left, turn right". But "don't touch the vase, clean the
+    table" says how the command is to be carried out.
     """
     for position in _openings(tree):
-        if _begins_command(tree, position, vocabulary) and not _is_forbidden_too(tree, position):
+        is_correction = not _is_forbidden_too(tree, position) and not _is_of_command(tree, position, vocabulary)
+        if _begins_command(tree, position, vocabulary) and is_correction:
             opening = frozenset(range(1, position + 1))
             return set_aside(tree, opening, ASIDE, lambda word: is_verb(vocabulary, word))
     return tree
@@ -54,6 +57,18 @@ def plain(word: Word) -> str:
 def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
     words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in _LEAD_IN]
     return bool(words) and is_verb(vocabulary, words[0])
+
+
+def _is_of_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
+    """Whether what is not to be done may happen while the command at a position is carried out: "*don't drop it*, bring
+    me the vase". A robot does only what it is told, so any other deed is a correction: "don't turn left, turn right".
+    """
+    before = tree.words[:position]
+    verb = next((word for word in before if word.upos == "VERB"), None)
+    if not _forbids(tree, position) or verb is None or plain(before[-1]) != ",":
+        return False
+    is_same = any(word.lemma.lower() == verb.lemma.lower() for word in tree.words[position:])
+    return not is_same and (verb.lemma.lower() in _BY_THE_WAY or not is_verb(vocabulary, verb))
 
 
 def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:

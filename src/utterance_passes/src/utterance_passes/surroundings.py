@@ -7,7 +7,7 @@ The parser receives the command alone; then these words, whose analysis is known
 
 import re
 from dataclasses import dataclass
-from typing import AbstractSet, Dict, Mapping, Optional, Sequence, Tuple
+from typing import AbstractSet, Dict, Iterable, Mapping, Optional, Sequence, Tuple
 
 from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.formula_file import pattern_of, without_padding
@@ -22,6 +22,7 @@ _OPENINGS = pattern_of("openings")
 _MODAL = pattern_of("modal_openings")
 _MINDING = pattern_of("gerund_openings")
 _POLITE = pattern_of("anywhere")
+_APART = pattern_of("apart")
 _TAILS = pattern_of("tails")
 _SET_OFF_TAILS = pattern_of("set_off_tails")
 _DOUBTING = word_class("doubting_adverbs")
@@ -81,12 +82,16 @@ def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroun
     verb = front.verb
     # "Please" and "thanks" may be part of the message: "say yes, please".
     end = _end(tokens, verb + (3 if front.base in _SAYING else 2))
-    if not verb and end == len(tokens) - (tokens[-1].form in _MARKS):
+    inside = _inside(tokens, verb, end)
+    if not verb and inside is None and end == len(tokens) - (tokens[-1].form in _MARKS):
         return None
     before = [_word(token, spelling, front.relations.get(number, "")) for number, token in enumerate(tokens[:verb])]
     behind = [_word(token, spelling, "" if token.said == "robot" else ASIDE) for token in tokens[end:]]
-    command = _command(spelling, tokens[verb], front.base, tokens[end - 1].end)
-    return Surroundings(command, tokens[verb].form, front.base, tuple(before + behind))
+    start, stop = inside if inside is not None else (end, end)
+    between = [_word(token, spelling, ASIDE) for token in tokens[start:stop]]
+    ranges = ((tokens[verb].end, tokens[start - 1].end), (tokens[stop - 1].end, tokens[end - 1].end))
+    command = _command(spelling, tokens[verb], front.base, ranges)
+    return Surroundings(command, tokens[verb].form, front.base, tuple(before + between + behind))
 
 
 def _front(
@@ -158,15 +163,40 @@ def _end(tokens: Sequence[_Token], earliest: int) -> int:
     return last
 
 
-def _command(spelling: Spelling, verb: _Token, base: str, end: int) -> Spelling:
-    """Return the command alone, written as a plain command, with a mark if the utterance ends with one."""
+def _inside(tokens: Sequence[_Token], verb: int, end: int) -> Optional[Tuple[int, int]]:
+    """Find a formula between two commas behind the verb or its first object: "bring me, *if you can*, the cup".
+
+    Args:
+        tokens: of the utterance
+        verb: position of the verb
+        end: the position after the last word of the command
+    Returns:
+        the positions of its first comma and after its last comma
+    """
+    commas = [number for number in range(verb + 1, end) if tokens[number].form == ","][:2]
+    if len(commas) < 2 or commas[0] > verb + 2:
+        return None
+    said = " ".join(token.said for token in tokens[commas[0] + 1 : commas[1]])
+    is_formula = any(formula.fullmatch(said) for formula in (_TAILS, _POLITE, _APART))
+    return (commas[0], commas[1] + 1) if is_formula else None
+
+
+def _command(spelling: Spelling, verb: _Token, base: str, ranges: Iterable[Tuple[int, int]]) -> Spelling:
+    """Return the command alone, written as a plain command, with a mark if the utterance ends with one.
+
+    Args:
+        spelling: of the utterance
+        verb: its verb
+        base: the base form of that
+        ranges: of the characters that belong to the command, behind its verb
+    """
     written = base[0].upper() + base[1:] if spelling.text[:1].isupper() else base
+    origins = (spelling.origins[verb.start],) * len(base)
+    for start, stop in ranges:
+        written += spelling.text[start:stop]
+        origins += spelling.origins[start:stop]
     mark = "." if spelling.text[-1:] in _MARKS else ""
-    start, stop = spelling.origins[verb.start], spelling.origins[end]
-    return Spelling(
-        written + spelling.text[verb.end : end] + mark,
-        (start,) * len(base) + spelling.origins[verb.end : end] + (stop,) * (1 + len(mark)),
-    )
+    return Spelling(written + mark, origins + (spelling.origins[stop],) * (1 + len(mark)))
 
 
 def _word(token: _Token, spelling: Spelling, relation: str) -> WordAround:
