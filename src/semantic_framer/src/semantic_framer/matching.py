@@ -4,7 +4,6 @@ from dataclasses import replace
 from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
 
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
-from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
     behind_description,
     has_postmodifiers,
@@ -30,11 +29,12 @@ from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import is_setting, measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import Reading
+from semantic_framer.required_relations import lacks_all_required
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
 from semantic_framer.unit_trace import write_unit
-from semantic_framer.word_patterns import argument_of
+from semantic_framer.word_patterns import argument_of, listed_words
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
@@ -80,6 +80,10 @@ def read_clause(
         for unit in known.lexicon.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
             if frame is None:
+                continue
+            if lacks_all_required(sentence, unit):
+                if trace is not None:
+                    write_unit(trace, sentence, match, unit, None, unit.relations)
                 continue
             filling = _Filling(sentence, clause, unit, frame, match, amounts)
             reading = filling.reading()
@@ -128,6 +132,8 @@ class _Filling:
             for relation in ("dobj", "iobj", "obl", "tmod")
             for noun in sentence.dependents(clause.verb, relation)
         )
+        # In "let go of the rope", "go" governs the rope.
+        self._verbs = [clause.verb] + [index for index in match.positions[1:] if sentence.word(index).upos == "VERB"]
         self._moved: Set[int] = set()
         #: Trace lines for phrases that rules moved or left out.
         self.notes: List[TraceLine] = []
@@ -206,7 +212,7 @@ class _Filling:
                     self._unfinished |= self._sentence.subtree(head)
                     self._note("unfinished", self._sentence.subtree(head), f"no noun for {relation.name}")
                     return
-                listed = self._listed_words(head, relation.words)
+                listed = listed_words(self._sentence.tree, head, relation.words)
                 fit = fit_of_relation(self._sentence.types, head, relation) if not listed else Fit.LIKELY
                 if fit is Fit.WRONG:
                     continue
@@ -254,26 +260,13 @@ class _Filling:
     def _is_in_clause(self, head: int) -> bool:
         return head in self._clause.positions or head == self._subject
 
-    def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
-        """Return the longest sequence of listed words that ends at a head ("low five"); nothing if none is listed."""
-        if is_side_of_something(self._sentence.tree, head):
-            return frozenset()
-        for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
-            positions = range(max(1, head - length + 1), head + 1)
-            if " ".join(self._sentence.word(index).form.lower() for index in positions) in words:
-                return frozenset(positions)
-        return frozenset([head]) if self._sentence.word(head).lemma.lower() in words else frozenset()
-
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether a word is an adverb of manner ("slowly", "forward") and so neither a thing nor a place."""
         return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
 
     def _follow(self, path: RelationPath, is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
-        # In "let go of the rope", "go" governs the rope.
-        governors = [self._clause.verb] + [
-            index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
-        ]
+        governors = self._verbs
         for number, step in enumerate(path.steps):
             if step == MEASURE:
                 return []
@@ -307,6 +300,8 @@ class _Filling:
                 if inner.deprel == "acl":
                     found += persons_behind(self._sentence.tree, inner.index, preposition, is_needed=is_core)
                     found += behind_description(self._sentence.tree, inner.index, below)
+        if not found:
+            return found
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]

@@ -50,6 +50,8 @@ class Sentence:
         goals: heads of phrases that say where a thing shall be, as the world has it
         described: heads of phrases that tell which thing is meant, as the world has it
         arcs: every relation, with all of its names
+        relations: the names of all relations
+        forms: its words, in lower case
     """
 
     def __init__(
@@ -81,6 +83,8 @@ class Sentence:
                     found.setdefault((arc.governor, relation), set()).add(arc.dependent)
         #: By governor and relation, in the order of the sentence: each unit asks again.
         self._dependents = {key: tuple(sorted(dependents)) for key, dependents in found.items()}
+        self.relations = frozenset(relation for _, relation in found)
+        self.forms = frozenset(word.form.lower() for word in tree.words)
 
     def attached(
         self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()

@@ -2,8 +2,9 @@
 
 import re
 from functools import lru_cache
-from typing import List, Mapping, Pattern, Sequence
+from typing import FrozenSet, List, Mapping, Pattern, Sequence
 
+from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.sentence import Sentence
 from semantic_frames.lexical_unit import WordPattern
 from typed_arguments import TypedArgument
@@ -44,3 +45,14 @@ def argument_of(sentence: Sentence, name: str, positions: Sequence[int]) -> Type
     head = nouns[0] if nouns else tops[-1]
     below = sentence.subtree(head)
     return sentence.phrases.argument(name, head, left_out=below - inside, attached=inside - below)
+
+
+def listed_words(tree: DependencyTree, head: int, words: Sequence[str]) -> FrozenSet[int]:
+    """Return the longest sequence of listed words that ends at a head ("low five"); nothing if none is listed."""
+    if is_side_of_something(tree, head):
+        return frozenset()
+    for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
+        positions = range(max(1, head - length + 1), head + 1)
+        if " ".join(tree.word(index).form.lower() for index in positions) in words:
+            return frozenset(positions)
+    return frozenset([head]) if tree.word(head).lemma.lower() in words else frozenset()
