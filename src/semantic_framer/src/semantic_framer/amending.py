@@ -6,6 +6,7 @@ the kitchen".
 """
 
 import re
+import sys
 from dataclasses import replace
 from functools import cached_property
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
@@ -40,6 +41,7 @@ from word_classes import word_class, word_list
 
 #: Types with much in common.
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
+_DETERMINERS = word_class("determiners_and_possessives")
 _HEARERS = word_class("hearers")
 _PERSONS = word_class("pronouns_of_persons")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -116,6 +118,16 @@ def _inferred(argument: TypedArgument) -> TypedArgument:
     return replace(without_any_position(argument), source=Source.DEFAULT if is_default else Source.INFERRED)
 
 
+def _as_phrase(argument: TypedArgument) -> str:
+    """Return the words of an argument with its preposition, as inside a sentence."""
+    words = argument.words or argument.text
+    first, _, rest = words.partition(" ")
+    if rest and first.lower() in _DETERMINERS:
+        words = f"{first.lower()} {rest}"
+    is_said = not argument.relation or first.lower() == argument.relation.split("_")[0]
+    return words if is_said else f"{argument.relation.replace('_', ' ')} {words}"
+
+
 class _Amending:
     """Applies a fragment to one reading of a clause."""
 
@@ -155,7 +167,7 @@ class _Amending:
         arguments = tuple(sorted([*kept, *found], key=lambda one: order.get(one.name, len(order))))
         units = {element.unit_element for element in self._frame.frame_elements if element.quantity}
         spoken = [one for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
-        said = [one.words or one.text for one in spoken]
+        said = [_as_phrase(one) for one in sorted(spoken, key=self._place)]
         return replace(
             before,
             arguments=arguments,
@@ -163,6 +175,11 @@ class _Amending:
             clause_text=" ".join([before.verb, *(words for words in said if words.lower() not in _HEARERS)])
             + stated(arguments),
         )
+
+    def _place(self, argument: TypedArgument) -> int:
+        """Return where an element was said in the command before; behind all others if it was not said there."""
+        before = self._reading.argument(argument.name)
+        return before.head_position if before is not None and before.head_position else sys.maxsize
 
     def _with_a_bit(self) -> Optional[Reading]:
         """Return the reading with the amount that is assumed for "a bit"; without one, the person must say it."""

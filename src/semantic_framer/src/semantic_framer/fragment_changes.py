@@ -77,7 +77,8 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     Returns:
         the change; None if the utterance is to be read as a command
     """
-    fragment = fragment_of(sentence, parsed, known, is_asked=_is_question(context.last, known))
+    is_question = _is_question(context.last, known)
+    fragment = fragment_of(sentence, parsed, known, is_asked=is_question)
     if fragment is None:
         return None
     said = sentence.tree.text.strip(_MARKS)
@@ -104,7 +105,8 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     clauses = found[0]
     after = "; ".join(str(readings[0]) for readings in clauses)
     note = f"{fragment.kind.value}: {before} -> {after}"
-    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
+    is_doubtful = (fragment.is_asked and not is_question) or _is_manner_of_amount(fragment, clauses, known)
+    return Change(note, clauses=clauses, wants_yes=is_doubtful)
 
 
 def _is_question(last: Optional[LastCommand], known: FramedLexicon) -> bool:

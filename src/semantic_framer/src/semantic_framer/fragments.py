@@ -63,6 +63,7 @@ class Fragment:
         is_more: whether its amount comes on top: "ten more"
         times: how often the command is repeated: "do that again *three times*"; 0 if it does not say
         is_instead: whether its amount takes the place of the one before: "*make that* ten"
+        is_asked: whether it is said as a question: "and the pepper*?*"
     """
 
     kind: FragmentKind
@@ -70,6 +71,7 @@ class Fragment:
     is_more: bool = False
     times: int = 0
     is_instead: bool = False
+    is_asked: bool = False
 
     @property
     def needs_command(self) -> bool:
@@ -101,10 +103,11 @@ def shipped_fragments() -> Mapping[str, Tuple[Formula, ...]]:
 
 
 _REPLACING, _ASKING = (shipped_fragments()[name] for name in ("replacing", "asking"))
-_OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING))
+_OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING, *_ASKING))
 _OPENINGS_OF_QUESTIONS = any_of((*shipped_fragments()["openings"], *_ASKING))
 _ENDINGS = any_of(shipped_fragments()["endings"])
 _INSTEAD = any_of(_REPLACING)
+_ASKED = any_of(_ASKING)
 _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
     (kind, any_of(shipped_fragments()[name]))
     for kind, name in (
@@ -160,8 +163,9 @@ def fragment_of(
         return None
     if core in _NOTHING_NEW or tree.times or tree.quoted:
         return None
-    kinds = (UtteranceKind.ANSWER, UtteranceKind.QUESTION) if is_asked else (UtteranceKind.ANSWER,)
-    if kind_without_clause(tree).kind not in kinds:
+    kind_of_all = kind_without_clause(tree).kind
+    may_be_asked = is_asked or forms[0] == "and" or _ASKED.fullmatch(" ".join(forms[:first])) is not None
+    if kind_of_all is not UtteranceKind.ANSWER and not (kind_of_all is UtteranceKind.QUESTION and may_be_asked):
         return None
     is_more = bool(_MORE & frozenset(forms[first:last]))
     slight = slight_words(tree, positions)
@@ -171,7 +175,13 @@ def fragment_of(
         # "A bit more to the left" is "a bit to the left", from where the robot is.
         positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
         is_more = False
-    return Fragment(FragmentKind.ELEMENTS, positions, is_more, is_instead=is_instead)
+    return Fragment(
+        FragmentKind.ELEMENTS,
+        positions,
+        is_more,
+        is_instead=is_instead,
+        is_asked=kind_of_all is UtteranceKind.QUESTION,
+    )
 
 
 def _times_at_end(forms: Sequence[str]) -> Tuple[int, int]:

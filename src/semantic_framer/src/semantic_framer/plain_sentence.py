@@ -88,6 +88,6 @@ def _changed(change: Change, sentence: Sentence, context: Context, now: Now) -> 
     if not change.wants_yes:
         return resolve_and_confirm(change.clauses, sentence, context, now)
     act = change.clauses[0][0].clause_text
-    now.write("confirm", act, "asked. The amount would be done again.")
+    now.write("confirm", act, "asked. It is said as a question, or the amount would be done again.")
     pending = Pending(change.clauses, 0, (), now.expires_s)
     return Question("CONFIRM", f'Shall I do this: "{act}"? Say yes or no.'), replace(context, pending=pending)
