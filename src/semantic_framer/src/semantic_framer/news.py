@@ -1,23 +1,25 @@
 """News that somebody wants to hear when it happens: "tell me when the oven is off", "let me know if the bell rings"."""
 
-from typing import Sequence
+from typing import AbstractSet, Sequence
 
 from semantic_framer.clause_plan import Clauses
 from semantic_framer.condition_part import happens
 from semantic_framer.conditions import read_condition
 from semantic_framer.findings_told import element_told
-from semantic_framer.frame_roles import MESSAGE, TELLING
+from semantic_framer.frame_roles import ADDRESSEE, MESSAGE, TELLING
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.joints import Joint, Joints
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from typed_arguments import Source, TypedArgument
-from word_classes import word_class
+from word_classes import turned_round, word_class
 
 #: Links before news.
 _OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
-_PARTICIPANTS = word_class("participants") | word_class("possessives_of_participants")
+_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("words_of_speakers")
+_OF_TWO = _OF_SPEAKER | word_class("words_of_the_hearer")
+_SPEAKER_OBJECTS = word_class("speaker_objects")
 
 
 def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Joints:
@@ -40,7 +42,7 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
         return Joints()
     positions = messages[0]
     link, length = shipped_links().link_at([sentence.word(index).form.lower() for index in positions])
-    if link is None or link.kind not in (LinkKind.IF, *_OF_NEWS) or _names_participants(sentence, positions):
+    if link is None or link.kind not in (LinkKind.IF, *_OF_NEWS) or _has(sentence.text(positions), _OF_TWO):
         return Joints()
     condition = read_condition(sentence, known, positions[length:])
     if condition is None or not happens(condition, sentence.tree, known.frames):
@@ -59,11 +61,21 @@ def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: Frame
     news = [joint.condition for joint in joints.found if joint.condition and joint.kind in (LinkKind.IF, *_OF_NEWS)]
     if len(news) != 1:
         return clauses
-    positions = sorted(news[0].positions)
-    if _names_participants(sentence, positions):
-        return clauses  # "You see Anna" would be said of the person.
-    said = news[0].words or sentence.text(positions).strip(" ,.!?")
-    return tuple(tuple(_told(reading, said, known) for reading in readings) for readings in clauses)
+    said = (news[0].words or sentence.text(sorted(news[0].positions))).strip(" ,.!?")
+    is_of_speaker = _has(said, _OF_SPEAKER)
+    told = turned_round(said, is_clause=True)
+    return tuple(
+        # "When my phone rings, tell Bob": to Bob, it is neither "my phone" nor "your phone".
+        readings
+        if is_of_speaker and not _is_told_to_speaker(readings[0], known)
+        else tuple(_told(reading, told, known) for reading in readings)
+        for readings in clauses
+    )
+
+
+def _is_told_to_speaker(reading: Reading, known: FramedLexicon) -> bool:
+    hearer = reading.argument_in_role(ADDRESSEE, known.frames[reading.unit.frame_name])
+    return hearer is None or hearer.text.lower() in _SPEAKER_OBJECTS
 
 
 def _told(reading: Reading, said: str, known: FramedLexicon) -> Reading:
@@ -73,5 +85,5 @@ def _told(reading: Reading, said: str, known: FramedLexicon) -> Reading:
     return with_argument(reading, TypedArgument(element.name, said, Source.INFERRED, words=said))
 
 
-def _names_participants(sentence: Sentence, positions: Sequence[int]) -> bool:
-    return bool(_PARTICIPANTS & {sentence.word(index).form.lower() for index in positions})
+def _has(text: str, words: AbstractSet[str]) -> bool:
+    return not words.isdisjoint(text.lower().split())

@@ -5,38 +5,10 @@ from typing import Mapping, Optional, Sequence
 
 from standing_orders.order import StandingOrder
 from standing_orders.schedule import Daily, Every, Once, Schedule
-from word_classes import word_list
+from word_classes import turned_round
 
 _DAYS = ("Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday")
-_OF_SPEAKER, _OF_HEARER = word_list("words_of_the_speaker"), word_list("words_of_the_hearer")
-_TURNED = {
-    **dict.fromkeys(word_list("words_of_speakers"), _OF_HEARER[0]),
-    **dict(zip(_OF_SPEAKER, _OF_HEARER)),
-    **dict(zip(_OF_HEARER, _OF_SPEAKER)),
-}
 _UNITS = ((86_400.0, "day"), (3600.0, "hour"), (60.0, "minute"), (1.0, "second"))
-_MARKS = " .!?,"
-
-
-def turned_round(words: str, *, is_clause: bool = False) -> str:
-    """Return words of a person from the view of the robot: "bring you your mug" for "bring me my mug".
-
-    Args:
-        words: as they were said
-        is_clause: whether they begin with their subject: "you see a wall" becomes "I see a wall"
-    """
-    turned = []
-    for place, word in enumerate(words.strip(_MARKS).split()):
-        plain = word.lower()
-        if is_clause and place == 0 and plain == _OF_HEARER[0]:
-            turned.append("I")
-        elif is_clause and place == 1 and turned[0] == "I" and plain == "are":
-            turned.append("am")
-        elif is_clause and place == 1 and turned[0] == _OF_HEARER[0] and plain == "am":
-            turned.append("are")
-        else:
-            turned.append(_TURNED.get(plain, word))
-    return " ".join(turned)
 
 
 def _deed(words: str) -> str:

@@ -9,19 +9,23 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_ARTICLES = word_class("indefinite_articles")
 _BOUNDS = word_class("bounds_of_counts")
+_ROUGHLY = word_class("hedges_of_times")
 _GOING = word_class("verbs_of_going")
 _LONGEST = max(len(bound.split()) for bound in _BOUNDS)
 _OBJECTS = frozenset(["obj", "iobj"])
 _PRONOUNS = frozenset(["PRON", "PROPN"])
 
 
-@only_with("nummod")
-def with_bounded_counts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+@only_with("nummod", "iobj")
+def with_bounded_counts(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach a bound to its number: in "bring me *up to* three apples", "to" is no preposition of the apples.
 
-    What can be measured has no count, and whoever goes "up to two people" goes to them.
+    What can be measured has no count, and whoever goes "up to two people" goes to them. In "bring me *about* a litre of
+    milk", "about" is no preposition either.
     """
+    tree = _with_rough_amounts(tree, vocabulary)
     for noun in tree.words:
         numerals = [child for child in tree.children(noun.index) if child.deprel == "nummod"]
         first = numerals[0].index if numerals else 0
@@ -29,6 +33,34 @@ def with_bounded_counts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if 0 < first < noun.index and bound and find_unit(noun.form) is None:
             tree = _attached(tree, bound, tree.word(first), noun) or tree
     return tree
+
+
+def _with_rough_amounts(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    edit = TreeEdit(tree)
+    for rough in tree.words[:-1]:
+        if rough.form.lower() not in _ROUGHLY or not rough.head:
+            continue
+        noun = tree.word(rough.head)
+        if rough.deprel == "advmod" and tree.word(rough.index + 1).deprel == "nummod":
+            noun = tree.word(tree.word(rough.index + 1).head)
+        verb = tree.word(noun.head) if noun.head else noun
+        relations = [child.deprel for child in tree.children(verb.index) if child.index != noun.index]
+        # "Tell me about three dogs" is about them.
+        is_given = "iobj" in relations and "obj" not in relations and not vocabulary.speech_of(verb.lemma.lower())
+        if is_given and noun.deprel in ("obl", "obj") and _is_amount(tree, noun):
+            edit.relabel(noun.index, "obj")
+            edit.rehang(rough.index, noun.index, "advmod")
+            edit.retag(rough.index, "ADV")
+    return edit.tree()
+
+
+def _is_amount(tree: DependencyTree, noun: Word) -> bool:
+    """Whether a noun is counted, or measures what is behind it: "three apples", "a litre of milk"."""
+    inside = tree.children(noun.index)
+    behind = [child for child in inside if child.deprel == "nmod"]
+    is_of = any(case.form.lower() == "of" for child in behind for case in tree.children(child.index))
+    is_indefinite = any(child.form.lower() in _ARTICLES for child in inside)
+    return any(child.deprel == "nummod" for child in inside) or (is_of and is_indefinite)
 
 
 def _bound_before(tree: DependencyTree, numeral: int) -> Sequence[Word]:

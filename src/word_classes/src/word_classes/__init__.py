@@ -2,6 +2,7 @@
 
 from word_classes.pattern_reader import fill_pattern, read_pattern
 from word_classes.shipped import UnknownWordClass, without_determiner, word_class, word_classes, word_list
+from word_classes.turned_round import turned_round
 from word_classes.word_file import WordClass, load_word_classes
 
 __all__ = [
@@ -10,6 +11,7 @@ __all__ = [
     "fill_pattern",
     "load_word_classes",
     "read_pattern",
+    "turned_round",
     "without_determiner",
     "word_class",
     "word_classes",
