@@ -126,6 +126,8 @@ def _read(
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
         if not kind and len(heads(sentence.tree, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
+        if kind == "place" and _ends_in_state(sentence, positions):
+            return None  # "is the cup on the table red" names no place "on the table red"
         if not kind and sentence.word(positions[0]).upos == "ADP":
             return None  # "can you see to the washing" asks for no thing
         if any(sentence.word(index).form in _SENTENCE_ENDS for index in range(positions[0], positions[-1])):
@@ -149,6 +151,13 @@ def _read(
         coverage=1.0,
         clause_text=sentence.tree.text.strip(),
     )
+
+
+def _ends_in_state(sentence: Sentence, positions: Sequence[int]) -> bool:
+    """Whether the last of some words says how something is, and is no part of the phrase before it."""
+    last = sentence.word(positions[-1])
+    has_noun = any(sentence.word(index).upos in ("NOUN", "PROPN") for index in positions[:-1])
+    return last.upos in ("ADJ", "VERB") and has_noun and last.head not in positions
 
 
 def _spelling(word: Word) -> str:

@@ -7,6 +7,7 @@ from utterance_passes import (
     attached_phrases,
     bounded_counts,
     correct_parse,
+    places_told,
     purposes,
     relations,
     wished_results,
@@ -251,5 +252,15 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_steps_taken,
+    ),
+    TreePass(
+        "places_of_subjects",
+        "Attach a place to the thing before it in a question about its state.",
+        Example(
+            "is|AUX|6|cop|be cups|NOUN|6|nsubj on|ADP|5|case the|DET|5|det table|NOUN|6|obl red|ADJ|0|root",
+            ("table: obl(red) -> nmod(cups)",),
+        ),
+        Stage.FRAMER,
+        places_told.with_places_of_subjects,
     ),
 )

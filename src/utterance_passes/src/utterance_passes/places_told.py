@@ -17,6 +17,7 @@ _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _SHOWING = word_class("showing_verbs")
 _NOBODY = word_class("no_pronouns")
+_ON_OR_OFF = word_class("states_of_devices")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of a place that a clause may describe.
@@ -167,4 +168,30 @@ def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         for child in children:
             if child.deprel in _OF_CLAUSES and child.index != places[0].index:
                 edit.rehang(child.index, places[0].index)
+    return edit.tree()
+
+
+@only_with("cop")
+def with_places_of_subjects(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a place to the thing before it in a question about its state: "is the cup *on the table* red", "is the
+    radio *in the kitchen* on"."""
+    edit = TreeEdit(tree)
+    for predicate in tree.words:
+        children = tree.children(predicate.index)
+        copula = next((child for child in children if child.deprel == "cop"), predicate)
+        subject = next((child for child in children if child.deprel == "nsubj"), predicate)
+        if not copula.index < subject.index < predicate.index:
+            continue
+        places = [child for child in children if child.deprel == "obl" and _is_place(tree, child)]
+        for place in places if predicate.upos == "ADJ" else ():
+            if subject.index < place.index < predicate.index:
+                edit.rehang(place.index, subject.index, "nmod")
+        state = [child for child in children if child.index > predicate.index and child.form.lower() in _ON_OR_OFF]
+        if predicate.upos in _NOUNS and len(state) == 1 and state[0].deprel == "case" and _is_place(tree, predicate):
+            edit.rehang(state[0].index, predicate.head, predicate.deprel)
+            edit.retag(state[0].index, "ADV")
+            for child in children:
+                if child.deprel in _OF_CLAUSES or child.index == subject.index:
+                    edit.rehang(child.index, state[0].index)
+            edit.rehang(predicate.index, subject.index, "nmod")
     return edit.tree()
