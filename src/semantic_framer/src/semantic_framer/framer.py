@@ -23,7 +23,7 @@ from semantic_framer.linked_sentence import (
 )
 from semantic_framer.mixed_lists import are_handled_apart, with_items_apart
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.news import told_when
+from semantic_framer.news import told_when, with_end_told
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CAREFUL,
@@ -291,6 +291,10 @@ class _Hearing:
             return self._read_command(sentence, context)
         self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
         heard = self._read_command(bare, context)
+        kept = tuple(read.kept for read in heard.clauses)
+        told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
+        if isinstance(heard.outcome, Question) and told != kept:
+            heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
         if isinstance(heard.outcome, Understood):
             return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
         pending = heard.context.pending

@@ -13,7 +13,8 @@ from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from typed_arguments import Source, TypedArgument
-from word_classes import turned_round, word_class
+from utterance_passes.tree import Word
+from word_classes import turned_round, word_class, word_list
 
 #: Links before news.
 _OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
@@ -71,6 +72,31 @@ def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: Frame
         else tuple(_told(reading, told, known) for reading in readings)
         for readings in clauses
     )
+
+
+def with_end_told(clauses: Clauses, sentence: Sentence, positions: Sequence[int], known: FramedLexicon) -> Clauses:
+    """Return clauses that tell that the robot is done, if they say nothing else: "tell me *when you are done*".
+
+    Args:
+        clauses: readings of the rest of the sentence
+        sentence: the sentence
+        positions: of the words that say when the rest begins, ascending
+        known: lexical units and frames
+    """
+    said = [_in_full(sentence.word(index)) for index in positions]
+    _, length = shipped_links().link_at(said)
+    if said[length : length + 1] != [word_list("words_of_the_hearer")[0]]:
+        return clauses
+    told = turned_round(" ".join(said[length:]), is_clause=True)
+    return tuple(tuple(_told(reading, told, known) for reading in readings) for readings in clauses)
+
+
+def _in_full(word: Word) -> str:
+    """Return a word in lower case, and a contracted verb in full: "are" for "'re", "have" for "'ve"."""
+    form = word.form.lower()
+    if form[0] not in "'\u2019":
+        return form
+    return "are" if word.lemma.lower() == "be" else word.lemma.lower()
 
 
 def _is_told_to_speaker(reading: Reading, known: FramedLexicon) -> bool:

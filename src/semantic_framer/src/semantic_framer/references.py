@@ -77,7 +77,8 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
         # something are persons, and only things and places are remembered.
-        is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
+        is_listed = relation is not None and word in relation.words and not PRONOUNS.issuperset(relation.words)
+        is_fixed = is_listed or (relation is not None and relation.is_for_persons)
         is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
