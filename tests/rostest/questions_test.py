@@ -56,6 +56,11 @@ class QuestionAnsweringTest(unittest.TestCase):
         self.assert_says("Where is the mug?", "on the table in the kitchen")
         wait_until(lambda: any("on the table in the kitchen" in text for text in said), message=lambda: said)
 
+    def test_2_a_statement_is_told(self) -> None:
+        self.assert_says("Tell Anna that dinner is ready.", "Anna, I am to tell you: dinner is ready.")
+        self.assert_says("Tell me when you are done.", "I am done.")
+        self.assert_says("Tell me the date.", "It is ")
+
     def test_2_whoever_says_who_they_are_is_known(self) -> None:
         self.assert_says("Who am I?", "I do not know who you are.")
         self.assert_says("I am Anna.", "Hello, Anna.")

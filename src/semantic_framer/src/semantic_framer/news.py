@@ -12,7 +12,7 @@ from semantic_framer.joints import Joint, Joints
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
-from typed_arguments import Source, TypedArgument
+from typed_arguments import EmbeddedFrame, Source, TypedArgument
 from utterance_passes.tree import Word
 from word_classes import turned_round, word_class, word_list
 
@@ -108,7 +108,8 @@ def _told(reading: Reading, said: str, known: FramedLexicon) -> Reading:
     element = element_told(reading, known.frames)
     if element is None:
         return reading
-    return with_argument(reading, TypedArgument(element.name, said, Source.INFERRED, words=said))
+    statement = EmbeddedFrame(role="says", words=said, mood="statement")
+    return with_argument(reading, TypedArgument(element.name, said, Source.INFERRED, words=said, frames=(statement,)))
 
 
 def _has(text: str, words: AbstractSet[str]) -> bool:

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Callable, Optional
 
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, Reply
+from roboframenet_msgs.msg import FilledSemanticFrameResult, Reply
 
-from rfnserver import RFNServer
+from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from utter.ros_voice import Voice
-from utter.speech import NothingToSay, spoken_text, told_fact
+from utter.speech import NothingToSay, spoken_text, told_fact, told_statement
 
 #: Answers that wait to be said; more are not said.
 _MOST_WAITING = 5
@@ -22,9 +22,17 @@ _MOST_WAITING = 5
 _ANSWERING = "question_answering"
 
 
-def elements(frame: FilledSemanticFrame) -> dict:
-    """Return the arguments of a frame by the names of its elements."""
-    return {element.name: element.argument for element in frame.frame_elements}
+def said(frame: TypedFrame) -> str:
+    """Return the sentence for a frame *saying*."""
+    return spoken_text(frame["message"].text, frame["addressee"].text)
+
+
+def told(frame: TypedFrame) -> str:
+    """Return the sentence for a frame *telling*: a statement, or something that the robot itself knows."""
+    message, addressee = frame["message"], frame["addressee"].text
+    if any(part.role == "says" and part.mood == "statement" for part in message.frames):
+        return told_statement(message.text, addressee)
+    return told_fact(message.text, datetime.datetime.now(), addressee)
 
 
 @dataclass(frozen=True)
@@ -79,17 +87,8 @@ class UtterServer:
         if not settings.serves:
             return
         self._servers = [
-            self._serve(
-                "saying",
-                lambda frame: spoken_text(elements(frame).get("message", ""), elements(frame).get("addressee", "")),
-            ),
-            self._serve(
-                "telling",
-                lambda frame: told_fact(
-                    elements(frame).get("message", ""), datetime.datetime.now(), elements(frame).get("addressee", "")
-                ),
-                is_answer=True,
-            ),
+            self._serve("saying", said),
+            self._serve("telling", told, is_answer=True),
         ]
 
     def _on_reply(self, reply: Reply) -> None:
@@ -110,10 +109,8 @@ class UtterServer:
             except Exception as error:  # boundary: the next answer is spoken, whatever fails
                 rospy.logerr("an answer was not said: %s: %s", type(error).__name__, error)
 
-    def _serve(
-        self, name: str, sentence_of: Callable[[FilledSemanticFrame], str], *, is_answer: bool = False
-    ) -> RFNServer:
-        def callback(frame: FilledSemanticFrame) -> None:
+    def _serve(self, name: str, sentence_of: Callable[[TypedFrame], str], *, is_answer: bool = False) -> RFNServer:
+        def callback(frame: TypedFrame) -> None:
             try:
                 sentence = sentence_of(frame)
             except NothingToSay as reason:

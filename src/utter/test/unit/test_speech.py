@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from utter.sound_process import run_bounded
-from utter.speech import NothingToSay, spoken_text, told_fact
+from utter.speech import NothingToSay, spoken_text, told_fact, told_statement
 
 NOON = datetime.datetime(2026, 11, 21, 12, 0)
 
@@ -40,6 +40,19 @@ def test_told_fact_reads_the_clock() -> None:
 )
 def test_told_fact_names_who_is_told(addressee: str, said: str) -> None:
     assert told_fact("the time", NOON, addressee) == said
+
+
+@pytest.mark.parametrize(
+    "message, addressee, said",
+    [
+        ("dinner is ready", "Anna", "Anna, I am to tell you: dinner is ready."),
+        ("I am late", "the guests", "Guests, I am to tell you: I am late."),
+        ("I see Bob", "me", "I see Bob."),
+        ("Bob has left", "Anna", "Anna, I am to tell you: Bob has left."),
+    ],
+)
+def test_statement_is_told_for_somebody(message: str, addressee: str, said: str) -> None:
+    assert told_statement(message, addressee) == said
 
 
 def test_told_fact_says_what_it_does_not_know() -> None:
