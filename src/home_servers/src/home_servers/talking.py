@@ -7,7 +7,10 @@ from home_servers.looking import described, sentence
 from home_servers.memory import Known, is_whole
 from home_servers.skills import SPEAKERS, Skill, Skills, argument, said
 from home_servers.telling import told
-from typed_arguments import FilledFrame, TypedArgument
+from typed_arguments import FilledFrame, Source, TypedArgument
+from word_classes import word_class
+
+_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("words_of_speakers")
 
 
 def greet(skills: Skills, frame: FilledFrame) -> None:
@@ -48,14 +51,18 @@ def introduce(skills: Skills, frame: FilledFrame) -> None:
 def tell(skills: Skills, frame: FilledFrame) -> None:
     """Find out what is to be told, go to whom it is for, and tell it."""
     whom = argument(frame, "addressee")
-    text = told(skills, argument(frame, "message"))
+    message = argument(frame, "message")
+    text = told(skills, message)
+    is_asked_by_them = not whom.text or whom.text.lower() in SPEAKERS
+    # "I" in what somebody said is not the robot.
+    is_of_speaker = message.source is Source.SAID and not _OF_SPEAKER.isdisjoint(message.text.lower().split())
+    opening = "I am to tell you: " if is_of_speaker and not is_asked_by_them else ""
     if is_whole(whom):
-        _tell_each(skills, whom, text)
+        _tell_each(skills, whom, text, opening)
         return
     person = _hearer(skills, whom)
-    is_asked_by_them = not whom.text or whom.text.lower() in SPEAKERS
     skills.answer(
-        sentence(f"{person.name}, {text}"),
+        sentence(f"{person.name}, {opening}{text}"),
         reply=sentence(text if is_asked_by_them else f"I told {person.name}: {text}"),
     )
 
@@ -69,11 +76,11 @@ def _hearer(skills: Skills, whom: TypedArgument) -> Known:
     return person
 
 
-def _tell_each(skills: Skills, whom: TypedArgument, text: str) -> None:
+def _tell_each(skills: Skills, whom: TypedArgument, text: str, opening: str = "") -> None:
     """Go to each person of a kind, tell them, and say who they were."""
     names: List[str] = []
     for person in skills.persons(whom):
-        skills.say(sentence(f"{person.name}, {text}"))
+        skills.say(sentence(f"{person.name}, {opening}{text}"))
         names.append(person.name)
     skills.answers.append(sentence(f"I told {', '.join(names)}: {text}"))
 

@@ -136,3 +136,17 @@ def test_what_is_found_out_is_in_the_reply(pipeline, text, answer):
     skills = Skills(DirectBody(home), speaker="alice")
     assert carry_out(pipeline, skills, text)[1] == "ok"
     assert " ".join(skills.answers).startswith(answer) and bool(skills.answers) == bool(answer)
+
+
+@pytest.mark.parametrize(
+    "text, heard",
+    [
+        ("Tell Bob that I am late.", "Bob, I am to tell you: I am late."),
+        ("Tell Bob that dinner is ready.", "Bob, dinner is ready."),
+        ("Tell Bob your name.", "Bob, I am the robot of this home."),
+    ],
+)
+def test_the_robot_does_not_say_of_itself_what_the_speaker_says(pipeline, text, heard):
+    body = DirectBody(Home(PLAN, STATE, floor=FLOOR))
+    assert carry_out(pipeline, Skills(body, speaker="alice"), text)[1] == "ok"
+    assert body.said[-1] == heard

@@ -13,6 +13,7 @@ from roboframenet_msgs.msg import FilledSemanticFrameResult, Reply
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from typed_arguments import Source
 from utter.ros_voice import Voice
 from utter.speech import NothingToSay, spoken_text, told_fact, told_statement
 
@@ -31,7 +32,7 @@ def told(frame: TypedFrame) -> str:
     """Return the sentence for a frame *telling*: a statement, or something that the robot itself knows."""
     message, addressee = frame["message"], frame["addressee"].text
     if any(part.role == "says" and part.mood == "statement" for part in message.frames):
-        return told_statement(message.text, addressee)
+        return told_statement(message.text, addressee, is_own=message.source is not Source.SAID)
     return told_fact(message.text, datetime.datetime.now(), addressee)
 
 

@@ -38,12 +38,13 @@ def spoken_text(message: str, addressee: str = "") -> str:
     return words[0].upper() + words[1:].rstrip("!?") + called + (end or words[-1])
 
 
-def told_statement(message: str, addressee: str = "") -> str:
+def told_statement(message: str, addressee: str = "", *, is_own: bool = False) -> str:
     """Return what somebody is to be told. "I" in it is the person who commands, so the robot says that it only tells.
 
     Args:
         message: a statement, "dinner is ready"
-        addressee: whom to tell, "Anna"; empty or "me" for whoever commands, to whom the robot speaks for itself
+        addressee: whom to tell, "Anna"; empty or "me" for whoever commands
+        is_own: whether "I" in it is the robot: "I see Bob"
     Returns:
         "Anna, I am to tell you: dinner is ready."
     Raises:
@@ -54,7 +55,7 @@ def told_statement(message: str, addressee: str = "") -> str:
         return text
     # Only a name has its capital inside the sentence.
     words = message.strip()[:1] + text[1:]
-    return f"{name[0].upper()}{name[1:]}, I am to tell you: {words}"
+    return f"{name[0].upper()}{name[1:]}, {'' if is_own else 'I am to tell you: '}{words}"
 
 
 def told_fact(message: str, now: datetime.datetime, addressee: str = "") -> str:

@@ -55,6 +55,10 @@ def test_statement_is_told_for_somebody(message: str, addressee: str, said: str)
     assert told_statement(message, addressee) == said
 
 
+def test_the_robot_tells_what_it_finds_for_itself() -> None:
+    assert told_statement("I see Bob", "Anna", is_own=True) == "Anna, I see Bob."
+
+
 def test_told_fact_says_what_it_does_not_know() -> None:
     with pytest.raises(NothingToSay, match="the weather"):
         told_fact("the weather", NOON)
