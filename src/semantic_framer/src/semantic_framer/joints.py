@@ -7,6 +7,7 @@ from semantic_framer.condition_part import ConditionPart
 from semantic_framer.deed_orders import ItemOrder
 from semantic_framer.link_file import LinkKind
 from typed_arguments import TimeExpression
+from utterance_passes.tree import DependencyTree
 
 SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 
@@ -85,3 +86,13 @@ def with_limits(found: Sequence[Joint], limits: Sequence[Joint]) -> List[Joint]:
             joints[place], limit_s=bound.limit_s, positions=joints[place].positions | bound.positions
         )
     return sorted(joints, key=lambda joint: joint.first)
+
+
+def may_be_of_last_choice(tree: DependencyTree, joints: Sequence[Joint]) -> bool:
+    """Whether a condition may be that of the last choice alone: "bring me the cup, or the glass *if there is none*"."""
+    conditional = (joint for joint in joints if joint.kind in (LinkKind.IF, LinkKind.UNLESS))
+    return any(
+        word.form.lower() == "or" and tree.word(word.index - 1).form == "," and word.index < joint.first - 1
+        for joint in conditional
+        for word in tree.words[1 : joint.first - 1]
+    )

@@ -12,7 +12,7 @@ from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.joints import Joints
+from semantic_framer.joints import Joints, may_be_of_last_choice
 from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.linked_clauses import NoStructure, Open, ends_what_runs, which_of_it
 from semantic_framer.linked_plan import linked_plan
@@ -104,6 +104,8 @@ def read_linked(
         kept = with_news(with_persons(kept, bare, now.known.frames, context.persons), sentence, joints, now.known)
         if answers_in_a_loop(plan, kept, now.known.frames):
             raise NoStructure("what is answered at once does not go on")
+        if may_be_of_last_choice(sentence.tree, joints.found):
+            raise NoStructure("the condition may be that of the last choice alone")
     except Open as question_of:
         return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
     except NoStructure as reason:

@@ -235,8 +235,10 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
         index
         for index in sorted(clause.positions)
         if index in tree.quoted
-        or (index not in around and tree.word(index).deprel not in ("punct", "cc", "discourse", "vocative"))
+        or (index not in around and tree.word(index).deprel not in ("punct", "discourse", "vocative"))
     ]
+    # "And" between two things is theirs.
+    said = [index for index in said if tree.word(index).deprel != "cc" or tree.word(index).head not in (clause.verb, 0)]
     while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
         del said[0]
     written = [as_written(tree, tree.word(index)) for index in said]
