@@ -197,10 +197,11 @@ def with_remarks_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if predicate.deprel != "advcl" or not is_finite or any(child.deprel == "mark" for child in children):
             continue
         if predicate.head < first:
-            mark = first - 1
+            beside = first - 1
         else:
-            mark = 1 + max(word for word in tree.subtree(predicate.index) if tree.word(word).upos != "PUNCT")
-        if tree.word(mark).form == "," and not first < predicate.head < mark:
+            beside = 1 + max(index for index in tree.subtree(predicate.index) if tree.word(index).upos != "PUNCT")
+        is_apart = beside <= len(tree.words) and not first < predicate.head < beside
+        if is_apart and tree.word(beside).form == ",":
             edit.relabel(predicate.index, "parataxis")
     return edit.tree()
 
