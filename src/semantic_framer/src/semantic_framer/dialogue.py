@@ -111,6 +111,7 @@ class Thing:
         is_plural: whether it is more than one: "the cups", "the cup and the plate"
         phrases: what named it, one for each item of a list; empty if it filled no element
         is_only_told_of: whether it was only part of what was to be said: "tell Bob that the mug is dirty"
+        is_asked_about: whether it was asked what is there: "what is on the table?"
     """
 
     text: str
@@ -119,6 +120,7 @@ class Thing:
     is_plural: bool = False
     phrases: Tuple[TypedArgument, ...] = ()
     is_only_told_of: bool = False
+    is_asked_about: bool = False
 
 
 @dataclass(frozen=True)

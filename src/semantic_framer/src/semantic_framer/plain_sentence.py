@@ -1,7 +1,7 @@
 """Understands a sentence without conditions: small talk, a question, a change of the last command, or a command."""
 
 from dataclasses import replace
-from typing import Tuple
+from typing import Sequence, Tuple
 
 from semantic_framer.choices import choices_left_open
 from semantic_framer.deeds import deeds_of
@@ -9,7 +9,7 @@ from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
+from semantic_framer.outcome import PROHIBITION, REPORT, TALK, LeftOverWords, Outcome, Question, Understood
 from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
@@ -21,7 +21,7 @@ from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.things_asked_for import as_said, asked_for
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
-from utterance_passes.clauses import find_clauses
+from utterance_passes.clauses import Clause, find_clauses
 
 
 def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
@@ -62,7 +62,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
-        return Heard(refusal, context, sentence, clauses)
+        # "Bob wants a beer." "Bring him one.": it may be spoken of further.
+        is_told = refusal.code in (REPORT, TALK, PROHIBITION)
+        return Heard(refusal, _told(sentence, case.clauses, context) if is_told else context, sentence, clauses)
     choices = choices_left_open(sentence, [(read.clause, read.kept[0]) for read in clauses], known)
     if choices:
         offered = " or ".join(choice.text for choice in choices)
@@ -71,14 +73,19 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     kept = tuple(read.kept for read in clauses)
     read_ones = [read.clause for read in clauses]
     told = [clause for clause in case.clauses if clause not in read_ones]
-    thing = thing_told(sentence, told)
-    context = (context.with_thing(thing) if thing is not None else context).with_persons(persons_told(sentence, told))
+    context = _told(sentence, told, context)
     outcome, context = resolve_and_confirm(kept, sentence, context, now)
     words = words_outside(sentence, case.clauses)
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
         ignored = " ".join(sentence.word(index).form for index in words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
     return Heard(outcome, context, sentence, clauses)
+
+
+def _told(sentence: Sentence, told: Sequence[Clause], context: Context) -> Context:
+    """Remember the thing and the persons that clauses tell something about."""
+    thing = thing_told(sentence, told)
+    return (context.with_thing(thing) if thing is not None else context).with_persons(persons_told(sentence, told))
 
 
 def _changed(change: Change, sentence: Sentence, context: Context, now: Now) -> Tuple[Outcome, Context]:

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from itertools import takewhile
-from typing import Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import AbstractSet, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from phrase_meanings.arguments import of_same_kind, resolved
 from phrase_meanings.head_words import ONES
@@ -87,7 +87,8 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             # "What is on the table?" "Put it all on the shelf.": not the table.
             # "The front of it" is a part of a place, too.
             is_of_several = value.text.lower() != word and amount not in _PARTS
-            meant = _meant_by(word, things, None if is_of_several else place, accepted, part, known.types)
+            is_thing = place is not None and not place.is_asked_about and not is_of_several
+            meant = _meant_by(word, things, place if is_thing else None, accepted, part, known.types)
             if meant is not None:
                 text = part_of_text(amount, meant.text) if amount else meant.text
                 value = resolved(value, text, () if amount else meant.phrases)
@@ -400,9 +401,19 @@ def remember(reading: Reading, sentence: Sentence, frames: Mapping[str, Semantic
     return context.with_persons(persons_mentioned(reading.arguments, sentence))
 
 
+def _asks_what_is_there(frame: SemanticFrame, filled: AbstractSet[str]) -> bool:
+    """Whether a question names a place, and asks for the thing there."""
+    open_roles = {element.framenet for element in frame.frame_elements if element.name not in filled}
+    named_roles = {element.framenet for element in frame.frame_elements if element.name in filled}
+    return PLACES.issuperset(named_roles) and not THINGS.isdisjoint(open_roles)
+
+
 def _remember(
-    frame: SemanticFrame, arguments: Iterable[TypedArgument], frames: Mapping[str, SemanticFrame], context: Context
+    frame: SemanticFrame, arguments: Sequence[TypedArgument], frames: Mapping[str, SemanticFrame], context: Context
 ) -> Context:
+    # "What is on the table?" "Bring it to me.": what is there, not the table.
+    filled = {one.name for one in arguments if one.positions}
+    is_asked_about = frame.is_question and _asks_what_is_there(frame, filled)
     # The object is spoken of further, and not what a preposition adds to it: "fill the glass with water and bring it".
     for value in sorted(arguments, key=lambda one: not one.relation):
         element = frame.element(value.name)
@@ -426,7 +437,8 @@ def _remember(
         is_thing = value.semantic_type and not value.relation and "Location" not in with_parents(value.semantic_type)
         # "When the bell rings, go to the door and open it": what is gone to counts for more.
         if (element.framenet in PLACES and not is_thing) or (frame.is_condition and element.framenet == _SOUND_SOURCE):
-            place = Thing(_inside_a_sentence(value.text), value.lemma, phrases=(value,))
+            text = _inside_a_sentence(value.text)
+            place = Thing(text, value.lemma, phrases=(value,), is_asked_about=is_asked_about)
             context = replace(context, place=place)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
             is_plural = value.is_plural or bool(value.members) or (value.count or 1) > 1
