@@ -134,4 +134,7 @@ class Sentence:
         is_wisher = word.form.lower() in _SPEAKER_OBJECTS and any(
             child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
         )
-        return word.form.lower() not in _HARMLESS and index not in self.tree.fillers and not is_wisher
+        # "Robot" calls the hearer, but "a story about a robot" does not.
+        is_phrase = word.upos == "NOUN" and any(child.deprel == "case" for child in self.children(index))
+        is_harmless = word.form.lower() in _HARMLESS and not is_phrase
+        return not is_harmless and index not in self.tree.fillers and not is_wisher

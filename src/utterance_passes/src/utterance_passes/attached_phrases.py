@@ -279,3 +279,17 @@ def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTr
             continue
         edit.rehang(time.index, verb_above(tree, place).index, "obl")
     return edit.tree()
+
+
+@only_with("obl")
+def with_topics_at_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach what something is about to it: "tell me a story *about a robot*"; who is told about something is none."""
+    edit = TreeEdit(tree)
+    for topic in tree.words:
+        first = min(tree.subtree(topic.index))
+        is_topic = topic.deprel == "obl" and tree.word(first).form.lower() == "about" and first < topic.index
+        for thing in tree.children(topic.head) if is_topic and topic.head else ():
+            is_thing = thing.deprel == "obj" and thing.upos == "NOUN" and not is_person_or_name(thing)
+            if is_thing and max(tree.subtree(thing.index)) == first - 1:
+                edit.rehang(topic.index, thing.index, "nmod")
+    return edit.tree()

@@ -263,4 +263,14 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_of_subjects,
     ),
+    TreePass(
+        "topics_at_nouns",
+        "Attach what something is about to it.",
+        Example(
+            "tell|VERB|0|root me|PRON|1|iobj stories|NOUN|1|obj about|ADP|5|case robots|NOUN|1|obl",
+            ("robots: obl(tell) -> nmod(stories)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_topics_at_nouns,
+    ),
 )
