@@ -50,15 +50,21 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     length = len(others[0]) if others else 0
     if length < 2 or len(first) < length:
         return []
-    model = first[-length:]
+    model, behind = first[-length:], first[len(first) :]
     if not all(len(group) == length and _ends_alike(model, group) for group in others):
-        return []
+        # "On the table *in front of the window*" is one place.
+        model, behind = first[:length], first[length:]
+        is_place = all(phrase.kind is Kind.PREPOSITION for phrase in (model[-1], *behind))
+        if not is_place or not all(one.is_like(other) for group in others for one, other in zip(model, group)):
+            return []
     if not all(one.is_like(other) for group in others for one, other in zip(model, group)):
         for group in others:
             for phrase in group:
                 edit.rehang(phrase.head, clause.verb, "dep")
         return []
     _hang(tree, clause, model, model, edit)
+    for phrase in behind:
+        edit.rehang(phrase.head, model[-1].head, "nmod")
     for group in others:
         _hang(tree, clause, model, group, edit)
     return [(clause.verb, frozenset(phrase.head for phrase in group)) for group in (model, *others)]
