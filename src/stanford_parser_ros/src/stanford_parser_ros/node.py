@@ -1,6 +1,7 @@
 """The parser node: turns the text of a command into dependencies."""
 
 import enum
+import gc
 import queue
 import threading
 import time
@@ -117,9 +118,14 @@ class ParserNode:
             model_dir=folder,
             package=package,
             threads=self._settings.threads,
-            on_loaded=lambda time_s: rospy.loginfo("Stanza was loaded in %.1f s, and parses from now on", time_s),
+            on_loaded=self._on_stanza_loaded,
             on_failed=self._on_stanza_failed,
         )
+
+    def _on_stanza_loaded(self, time_s: float) -> None:
+        # The models stay until the end: the garbage collector needs a tenth of a second to look at all of them.
+        gc.freeze()
+        rospy.loginfo("Stanza was loaded in %.1f s, and parses from now on", time_s)
 
     def _on_stanza_failed(self, error: ModelError) -> None:
         self._trouble = f"The lean runtime parses, because Stanza cannot be loaded: {error}"
