@@ -93,7 +93,8 @@ class ExplainAndLiveTest(unittest.TestCase):
         server.start()
         wait_until(
             # One that is not alive yet counts for the nodes, but not for what is read from them below.
-            lambda: {callback.frame_name for callback in known[-1].callbacks if callback.is_alive} >= set(frames),
+            lambda: {callback.frame_name for callback in known[-1].callbacks} >= set(frames)
+            and all(callback.is_alive for callback in known[-1].callbacks),
             message="not every registration arrived, or not every server is alive",
         )
         subscriber.unregister()

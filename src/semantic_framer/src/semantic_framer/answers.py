@@ -96,7 +96,12 @@ def answer(
 
 
 def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexicon) -> bool:
-    """Whether an utterance is no answer, because it is a command. Any statement may be what somebody is to be told."""
+    """Whether an utterance is no answer, because it is a command, or asks further: "and the plate?".
+
+    Any statement may be what somebody is to be told.
+    """
+    if sentence.tree.words[0].form.lower() == "and" and sentence.tree.text.rstrip().endswith("?"):
+        return True
     clauses = find_clauses(sentence.tree, known)
     asked = zip(pending.clauses[pending.clause], pending.elements)
     elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
