@@ -93,8 +93,10 @@ class ExplainAndLiveTest(unittest.TestCase):
         server.start()
         wait_until(
             # One that is not alive yet counts for the nodes, but not for what is read from them below.
-            lambda: {callback.frame_name for callback in known[-1].callbacks} >= set(frames)
-            and all(callback.is_alive for callback in known[-1].callbacks),
+            lambda: (
+                {callback.frame_name for callback in known[-1].callbacks} >= set(frames)
+                and all(callback.is_alive for callback in known[-1].callbacks)
+            ),
             message="not every registration arrived, or not every server is alive",
         )
         subscriber.unregister()
