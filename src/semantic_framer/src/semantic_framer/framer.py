@@ -291,10 +291,11 @@ class _Hearing:
             return self._read_command(sentence, context)
         self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
         heard = self._read_command(bare, context)
-        kept = tuple(read.kept for read in heard.clauses)
-        told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
-        if isinstance(heard.outcome, Question) and told != kept:
-            heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
+        if isinstance(heard.outcome, Question):
+            kept = tuple(read.kept for read in heard.clauses)
+            told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
+            if told != kept:
+                heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
         if isinstance(heard.outcome, Understood):
             return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
         pending = heard.context.pending

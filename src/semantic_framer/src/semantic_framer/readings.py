@@ -31,7 +31,7 @@ from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.shared_objects import shared_object
 from utterance_passes.trace import Trace
-from utterance_passes.tree import DependencyTree
+from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.typos import as_written
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
@@ -234,17 +234,19 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
     said = [
         index
         for index in sorted(clause.positions)
-        if index in tree.quoted
-        or (index not in around and tree.word(index).deprel not in ("punct", "discourse", "vocative"))
+        if index in tree.quoted or not (index in around or _is_around(tree.word(index), clause))
     ]
-    # "And" between two things is theirs.
-    said = [index for index in said if tree.word(index).deprel != "cc" or tree.word(index).head not in (clause.verb, 0)]
     while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
         del said[0]
     written = [as_written(tree, tree.word(index)) for index in said]
     # The person sees what a typo was taken for.
     typos = f" (said: {', '.join(filter(None, written))})" if any(written) else ""
     return tree.text_of(said) + typos
+
+
+def _is_around(word: Word, clause: Clause) -> bool:
+    """Whether a word stands around what a clause says; "and" between two things does not."""
+    return word.deprel in ("punct", "discourse", "vocative") or (word.deprel == "cc" and word.head == clause.verb)
 
 
 def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int:

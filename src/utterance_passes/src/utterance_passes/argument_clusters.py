@@ -50,7 +50,8 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     length = len(others[0]) if others else 0
     if length < 2 or len(first) < length:
         return []
-    model, behind = first[-length:], first[len(first) :]
+    model = first[-length:]
+    behind: Group = ()
     if not all(len(group) == length and _ends_alike(model, group) for group in others):
         # "On the table *in front of the window*" is one place.
         model, behind = first[:length], first[length:]
