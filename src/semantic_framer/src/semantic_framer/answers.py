@@ -9,14 +9,15 @@ from semantic_framer.attachment import is_direction, words_before_amount
 from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.clock_times import clock_time_at
-from semantic_framer.dialogue import Pending, is_indifferent, is_yes
+from semantic_framer.dialogue import Pending, is_ignorant, is_indifferent, is_yes
+from semantic_framer.fragments import answering_words
 from semantic_framer.frame_roles import DIRECTION, GOAL, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
-from semantic_framer.utterance_kind import kinds_of_clauses
+from semantic_framer.utterance_kind import kind_without_clause, kinds_of_clauses
 from semantic_framer.word_patterns import argument_of
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from typed_arguments import TypedArgument
@@ -31,6 +32,9 @@ _LEAD_IN = word_class("lead_in")
 #: What the hearer is asked to do or told begins with these: "to come home", "that dinner is ready".
 _BEFORE_MESSAGES = frozenset(["to", "that"])
 #: An utterance with one of these words is more than an answer.
+_QUESTION_WORDS = word_class("question_words")
+#: The most words of a question about a question: "which one".
+_LONGEST_ASKED_BACK = 3
 _NO_ANSWER = word_class("negations") | word_class("conditions")
 _HEARER, _SPEAKER = word_class("words_of_the_hearer"), word_class("words_of_the_speaker")
 
@@ -68,11 +72,12 @@ def answer(
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
     leaves_it_open = bool(pending.offered) and is_indifferent(sentence.tree.text)
-    if not leaves_it_open and _is_said_for_itself(sentence, pending, known):
+    if not leaves_it_open and (leaves_open(sentence, known) or _is_said_for_itself(sentence, pending, known)):
         return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
         frame = known.frames[reading.unit.frame_name]
+        name = name if pending.offered else _element_meant(sentence, reading, name)
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
         asked = reading.argument(name)
@@ -95,6 +100,15 @@ def answer(
     )
 
 
+def leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
+    """Whether an utterance is about the question, and leaves it open: "which one?", "I don't know", "you choose"."""
+    tree = sentence.tree
+    if is_ignorant(tree.text) or is_indifferent(tree.text):
+        return True
+    asks = kind_without_clause(tree).kind is UtteranceKind.QUESTION and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
+    return asks and sentence.tree.words[0].form.lower() in _QUESTION_WORDS and not find_clauses(tree, known)
+
+
 def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexicon) -> bool:
     """Whether an utterance is no answer, because it is a command, or asks further: "and the plate?".
 
@@ -102,15 +116,27 @@ def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexic
     """
     if sentence.tree.words[0].form.lower() == "and" and sentence.tree.text.rstrip().endswith("?"):
         return True
-    clauses = find_clauses(sentence.tree, known)
+    tree = sentence.tree
+    clauses = find_clauses(tree, known)
     asked = zip(pending.clauses[pending.clause], pending.elements)
     elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
     if all(element is not None and element.framenet == MESSAGE for element in elements):
-        if sentence.tree.words[0].form.lower() in _BEFORE_MESSAGES:
+        if tree.words[0].form.lower() in _BEFORE_MESSAGES:
             return False
-        kinds = kinds_of_clauses(sentence.tree, clauses, known)
+        kinds = kinds_of_clauses(tree, clauses, known)
         return any(kind.acts or kind.kind is UtteranceKind.QUESTION for kind in kinds)
-    return any(match_verbs(sentence.tree, clause, known) for clause in clauses)
+    answering = frozenset(answering_words(tree))
+    if any(match_verbs(tree, clause, known) for clause in clauses if clause.verb in answering):
+        return True
+    # "Bob knows."
+    return any(
+        root.upos == "VERB" and root.index in answering and _has_subject(sentence, root.index)
+        for root in sentence.children(0)
+    )
+
+
+def _has_subject(sentence: Sentence, verb: int) -> bool:
+    return any(child.deprel.startswith("nsubj") for child in sentence.children(verb))
 
 
 def time_answered(sentence: Sentence, pending: Pending) -> Optional[PlanPart]:
@@ -151,16 +177,32 @@ def _values(
     return values
 
 
+def _element_meant(sentence: Sentence, reading: Reading, name: str) -> str:
+    """Return the element that an answer names by its preposition, otherwise the one that was asked for: "what should I
+    bring?" - "*to* Anna"."""
+    answering = answering_words(sentence.tree)
+    heads = [index for index in answering if sentence.word(index).head not in answering]
+    cases = [child for head in heads[:1] for child in sentence.children(head) if child.deprel == "case"]
+    said = [child.form.lower() for child in cases if child.index in answering]
+    marked = [
+        relation.name
+        for relation in reading.unit.relations
+        if any(path.preposition in said for path in relation.relations)
+    ]
+    return name if name in marked else next(iter(marked), name)
+
+
 def _is_all_said(sentence: Sentence, values: List[TypedArgument], is_strict: bool) -> bool:
     """Whether an answer says only its values: no "not", condition or time and, if strict, no other content word."""
     used = frozenset(position for value in values for position in value.positions)
+    answering = frozenset(answering_words(sentence.tree))
     if sentence.tree.times:
         return False
     for word in sentence.tree.words:
         if word.form.lower() in _NO_ANSWER:
             return False
         is_said = word.index in used or word.form.lower() in _HEARER  # "To your right" is to the right.
-        if is_strict and not is_said and sentence.is_content(word.index):
+        if is_strict and not is_said and word.index in answering and sentence.is_content(word.index):
             return False
     return True
 
@@ -173,8 +215,10 @@ def _is_choice(value: TypedArgument, choice: str) -> bool:
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[TypedArgument]:
     # "Hello" may be the message.
-    left_out_tags = ("PUNCT",) if element.framenet == MESSAGE else ("PUNCT", "INTJ")
-    positions = [word.index for word in sentence.tree.words if word.upos not in left_out_tags]
+    is_message = element.framenet == MESSAGE
+    left_out_tags = ("PUNCT",) if is_message else ("PUNCT", "INTJ")
+    answering = [word.index for word in sentence.tree.words] if is_message else answering_words(sentence.tree)
+    positions = [index for index in answering if sentence.word(index).upos not in left_out_tags]
     amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     sound = amounts if not any(amount.is_doubtful for amount in amounts) else ()
     if element.quantity is not None:
@@ -185,14 +229,15 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
     if not positions or (is_measure and not is_unit):
         return []
-    heads = list(sentence.children(0))
-    head = heads[0].index if heads and heads[0].index in positions else positions[0]
+    heads = [index for index in positions if sentence.word(index).head not in positions]
+    head = heads[0] if heads else positions[0]
     is_no_place = element.framenet == GOAL and is_direction(sentence.tree, head)
     if is_no_place or is_unfinished(sentence.tree, head):
         return []
     # "Now the book", "and the book"
     before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
-    left_out = frozenset(before) | frozenset(
+    around = frozenset(word.index for word in sentence.tree.words).difference(answering)
+    left_out = around | frozenset(before) | frozenset(
         word.index for word in sentence.tree.words if word.deprel.startswith("discourse") and word.upos in left_out_tags
     )
     named = _named_values(sentence, element)

@@ -18,6 +18,7 @@ PLACE_PRONOUNS = frozenset(["there"])
 MOST_THINGS = 5
 _AGREEMENTS = word_class("agreements")
 _REFUSALS = word_class("refusals")
+_IGNORANCE = word_class("ignorance")
 _INDIFFERENCE = word_class("indifference")
 
 
@@ -206,6 +207,11 @@ def is_no(text: str) -> bool:
 def is_indifferent(text: str) -> bool:
     """Whether an utterance leaves a choice to the robot: "any of them", "I don't care"."""
     return _bare(text) in _INDIFFERENCE
+
+
+def is_ignorant(text: str) -> bool:
+    """Whether an utterance says nothing but that there is no answer: "I don't know"."""
+    return _bare(text) in _IGNORANCE
 
 
 def _bare(text: str) -> str:

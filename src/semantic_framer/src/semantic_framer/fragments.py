@@ -30,6 +30,7 @@ KINDS = (
     "openings",
     "replacing",
     "asking",
+    "before_answers",
     "endings",
     "whole_command",
     "as_much_again",
@@ -105,6 +106,9 @@ def shipped_fragments() -> Mapping[str, Tuple[Formula, ...]]:
 _REPLACING, _ASKING = (shipped_fragments()[name] for name in ("replacing", "asking"))
 _OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING, *_ASKING))
 _OPENINGS_OF_QUESTIONS = any_of((*shipped_fragments()["openings"], *_ASKING))
+_OPENINGS_OF_ANSWERS = any_of(
+    (*shipped_fragments()["openings"], *_ASKING, *shipped_fragments()["before_answers"])
+)
 _ENDINGS = any_of(shipped_fragments()["endings"])
 _INSTEAD = any_of(_REPLACING)
 _ASKED = any_of(_ASKING)
@@ -182,6 +186,14 @@ def fragment_of(
         is_instead=is_instead,
         is_asked=kind_of_all is UtteranceKind.QUESTION,
     )
+
+
+def answering_words(tree: DependencyTree) -> Tuple[int, ...]:
+    """Return the positions of the words that answer a question, without what is said around them: "I mean *the red
+    cup*", "I'd say *on the table*"."""
+    said = [word for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
+    first, last = _core([plain(word) for word in said], _OPENINGS_OF_ANSWERS)
+    return tuple(word.index for word in said[first:last])
 
 
 def _times_at_end(forms: Sequence[str]) -> Tuple[int, int]:

@@ -115,7 +115,8 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
 def is_objection(tree: DependencyTree) -> bool:
     """Whether a sentence begins with an objection: "no, turn", to which the framer replies with a question."""
     words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
-    return (bool(words) and words[0] in _OBJECTIONS) or forbids_first(tree)
+    is_one = bool(words) and words[0] in _OBJECTIONS and not _NO_OBJECTIONS.fullmatch(" ".join(words))
+    return is_one or forbids_first(tree)
 
 
 def _is_only_an_objection(tree: DependencyTree) -> bool:

@@ -147,6 +147,9 @@ def _settled(
             pending = Pending(
                 waiting, len(done), question.elements, now.expires_s, question.choices, offered=question.offered
             )
+            if question.question.code == "MISSING_ELEMENT":
+                # "Put the cup down." "Where should I put it?" "Put *it* on the table."
+                context = remember(question.readings[0], sentence, now.known.frames, context)
             return question.question, replace(context, pending=pending)
         context = remember(question[0], sentence, now.known.frames, context)
         context = spoken_of(question[0], now.known, context)
