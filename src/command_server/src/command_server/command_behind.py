@@ -1,8 +1,8 @@
 """The command that follows a cry: "come back" of "Stop and come back."
 
 Most often a warning ("stop, you will hit the lamp"), an explanation or the same cry follows a cry. So
-only words after "and" or "then", or words after a pause that begin like a command, count as one; the pipeline decides
-whether it can be carried out.
+only words after "and" or "then", or words after a pause that begin like a command, or say what was meant instead ("no,
+wait, I meant the plate"), count as one; the pipeline decides whether it can be carried out.
 """
 
 from typing import FrozenSet, Sequence
@@ -27,6 +27,9 @@ _PAUSES: FrozenSet[str] = frozenset(",.")
 _JOINING: FrozenSet[str] = frozenset(["and", "then"])
 #: What is wanted instead, in one word: "no wait, right".
 _SIDES: FrozenSet[str] = frozenset(["left", "right"])
+#: What was meant instead follows these. "Stop, I mean it" only repeats the cry.
+_MEANING: FrozenSet[str] = frozenset(["mean", "meant"])
+_OF_THE_CRY: FrozenSet[str] = frozenset("it that this what so now really business".split())
 #: Words in "ing" that are not participles.
 _IN_ING: FrozenSet[str] = frozenset("bring sing ring swing fling cling".split())
 
@@ -61,11 +64,19 @@ def command_behind(rest: str) -> str:
         if is_pause and word in _REQUESTS and words[position + 1 : position + 2] == ["you"]:
             position += 2
             continue
+        if is_pause and word == "i" and _says_what_is_meant(words[position + 1 : position + 3]):
+            meant = text[tokens[position].start :].strip()
+            return "" if is_stop(text[tokens[position + 2].start :]) else meant
         if word in _NO_OBJECTS:
             return ""
         is_pause = word in _PAUSES or (is_pause and (word in FILLERS or word in SOFT))
         position += 1
     return ""
+
+
+def _says_what_is_meant(behind: Sequence[str]) -> bool:
+    """Whether words behind "I" say what was meant: "meant the plate"."""
+    return len(behind) == 2 and behind[0] in _MEANING and behind[1] not in _OF_THE_CRY | _PAUSES
 
 
 def _behind_joining(words: Sequence[str], position: int) -> int:

@@ -47,6 +47,8 @@ from command_server.stop_words import find_cry
         ('stop and say "you are here"', 'say "you are here"'),
         ("stop and go to the door and stop there", "go to the door and stop there"),
         ("stop and stop at the door", "stop at the door"),
+        ("No, wait, I meant the plate.", "I meant the plate."),
+        ("Stop, I mean the red one", "I mean the red one"),
     ],
 )
 def test_command_behind_a_cry(text, command):
@@ -100,6 +102,11 @@ def test_command_behind_a_cry(text, command):
         "stop, if you turn left we are lost",
         "stop so that Anna and Bob can go",
         "wait, you turn left",
+        "Stop, I mean it!",
+        "Stop, I mean stop.",
+        "Wait, I mean, stop.",
+        "Stop, I meant what I said.",
+        "Stop. I meant.",
     ],
 )
 def test_no_command_behind_a_cry(text):
