@@ -83,6 +83,19 @@ def test_sentence_that_is_asked_about_or_refused(pipeline, text, code):
     assert tree_of(pipeline, text) == code
 
 
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        ("When the kettle boils, turn off the stove.", "When the kettle boils"),
+        ("Switch the kettle on and, when it boils, pour me a tea.", "when it boils"),
+        ("Clean the table while I cook dinner.", "while I cook dinner"),
+    ],
+)
+def test_only_the_condition_that_is_not_understood_is_quoted(pipeline, text, condition):
+    outcome, _ = read(pipeline.parse(text), pipeline.knowledge.lexicon, pipeline.knowledge.frames)
+    assert f'"{condition}"' in outcome.sentence, outcome
+
+
 def test_tables_are_large_enough():
     assert len(lines_of("control_sentences.tsv")) >= 250
     assert len(lines_of("control_refusals.tsv")) >= 100

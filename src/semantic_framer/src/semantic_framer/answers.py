@@ -105,7 +105,9 @@ def leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
     tree = sentence.tree
     if is_ignorant(tree.text) or is_indifferent(tree.text):
         return True
-    asks = kind_without_clause(tree).kind is UtteranceKind.QUESTION and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
+    asks = (
+        kind_without_clause(tree).kind is UtteranceKind.QUESTION and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
+    )
     return asks and sentence.tree.words[0].form.lower() in _QUESTION_WORDS and not find_clauses(tree, known)
 
 
@@ -237,8 +239,14 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     # "Now the book", "and the book"
     before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
     around = frozenset(word.index for word in sentence.tree.words).difference(answering)
-    left_out = around | frozenset(before) | frozenset(
-        word.index for word in sentence.tree.words if word.deprel.startswith("discourse") and word.upos in left_out_tags
+    left_out = (
+        around
+        | frozenset(before)
+        | frozenset(
+            word.index
+            for word in sentence.tree.words
+            if word.deprel.startswith("discourse") and word.upos in left_out_tags
+        )
     )
     named = _named_values(sentence, element)
     if len(named) != 1:

@@ -134,13 +134,20 @@ class _Finder:
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question
-                unknown = unknown or tuple(rest)
+                unknown = unknown or tuple(index for index in rest if index <= self._last_before_deed(place))
             place += 1
         joints = with_limits(found, limits)
         for joint in joints:
             if joint.condition is not None and self._is_cut_short(joint, joints):
                 return Joints((), question, unknown or tuple(sorted(joint.positions)))
         return Joints(tuple(joints), question, unknown, open_time)
+
+    def _last_before_deed(self, place: int) -> int:
+        """Return the position of the last word before a comma and a deed; of all words if there is no such comma."""
+        for comma, behind in zip(self.words[place:], self.words[place + 1 :]):
+            if comma.form == "," and self.known.verbs_beginning_with(behind.lemma.lower()):
+                return comma.index
+        return self.words[-1].index
 
     def _is_cut_short(self, joint: Joint, joints: Sequence[Joint]) -> bool:
         """Whether a condition has more words than were understood: "if the door is open *and you are tired*"."""

@@ -106,9 +106,7 @@ def shipped_fragments() -> Mapping[str, Tuple[Formula, ...]]:
 _REPLACING, _ASKING = (shipped_fragments()[name] for name in ("replacing", "asking"))
 _OPENINGS = any_of((*shipped_fragments()["openings"], *_REPLACING, *_ASKING))
 _OPENINGS_OF_QUESTIONS = any_of((*shipped_fragments()["openings"], *_ASKING))
-_OPENINGS_OF_ANSWERS = any_of(
-    (*shipped_fragments()["openings"], *_ASKING, *shipped_fragments()["before_answers"])
-)
+_OPENINGS_OF_ANSWERS = any_of((*shipped_fragments()["openings"], *_ASKING, *shipped_fragments()["before_answers"]))
 _ENDINGS = any_of(shipped_fragments()["endings"])
 _INSTEAD = any_of(_REPLACING)
 _ASKED = any_of(_ASKING)
