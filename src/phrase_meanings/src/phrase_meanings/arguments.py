@@ -8,7 +8,7 @@ from typing import Optional, Sequence
 from phrase_meanings.head_words import is_plural
 from phrase_meanings.meaning_file import shipped_meanings
 from spoken_quantities import find_unit
-from typed_arguments import Measure, Source, TypedArgument
+from typed_arguments import Measure, Modifier, Source, TypedArgument
 from typed_arguments.positions import without_any_position
 from utterance_passes.measures import Amount
 from utterance_passes.tree import DependencyTree
@@ -162,3 +162,11 @@ def of_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgumen
         semantic_type=before.semantic_type,
         modifiers=compounds + argument.modifiers,
     )
+
+
+def with_property(argument: TypedArgument, named: Modifier, before: TypedArgument) -> TypedArgument:
+    """Return an argument that is only a property as a thing of the kind of an earlier one: "the smallest" after "the
+    biggest mug" is the smallest mug.
+    """
+    text = f"{argument.text} one"
+    return of_same_kind(replace(argument, text=text, modifiers=(*argument.modifiers, named)), before)

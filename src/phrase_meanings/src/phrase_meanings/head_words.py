@@ -16,6 +16,8 @@ ONES = word_class("noun_standins")
 _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
 #: Nouns that stand for a number: "a couple of beers".
 _COUPLES = frozenset(["couple"])
+#: By Penn Treebank tag.
+_KINDS_OF_ADJECTIVES = {"JJR": "comparative", "JJS": "superlative"}
 _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -149,7 +151,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
         if base in ("amod", "nummod") and _ordinal(form):
             kind, number = "ordinal", _ordinal(form)
         elif base == "amod" and form not in shipped_meanings().quantifiers:
-            kind = {"JJR": "comparative", "JJS": "superlative"}.get(child.xpos, "adjective")
+            kind = _KINDS_OF_ADJECTIVES.get(child.xpos, "adjective")
         elif base == "compound" and child.index < head:
             kind = "compound"
         elif (
@@ -179,6 +181,19 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
             ]
         found.append(Modifier(kind, child.form, child.lemma.lower(), degree, number, child.index))
     return tuple(sorted(found, key=lambda modifier: modifier.position))
+
+
+def property_alone(word: Word) -> Optional[Modifier]:
+    """Return the property that an adjective without a noun names: "the *smallest*"; None for another word."""
+    form, lemma = word.form.lower(), word.lemma.lower()
+    # The parser takes some of them for nouns.
+    is_superlative = word.xpos == "JJS" or (form.endswith("est") and lemma != form)
+    if word.upos != "ADJ" and not is_superlative:
+        return None
+    number = _ordinal(form)
+    kind = "superlative" if is_superlative else _KINDS_OF_ADJECTIVES.get(word.xpos, "adjective")
+    kind = "ordinal" if number else kind
+    return Modifier(kind, word.form, lemma, number=number, position=word.index)
 
 
 def _ordinal(form: str) -> int:

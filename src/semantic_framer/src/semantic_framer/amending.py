@@ -11,8 +11,15 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import amount_argument, of_same_kind, on_other_side, resolved, unit_argument
-from phrase_meanings.head_words import ONES
+from phrase_meanings.arguments import (
+    amount_argument,
+    of_same_kind,
+    on_other_side,
+    resolved,
+    unit_argument,
+    with_property,
+)
+from phrase_meanings.head_words import ONES, property_alone
 from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment
@@ -43,6 +50,7 @@ from word_classes import word_class, word_list
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _DETERMINERS = word_class("determiners_and_possessives")
 _HEARERS = word_class("hearers")
+_NOMINAL = ("NOUN", "PROPN", "PRON", "NUM", "X")
 _PERSONS = word_class("pronouns_of_persons")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PAIRS = word_list("opposite_sides")
@@ -240,7 +248,8 @@ class _Amending:
         head = self._head()
         if not head or self._person_and_thing is not None:
             return ()
-        is_one = self._tree.word(head).form.lower() in ONES
+        named = property_alone(self._tree.word(head))
+        is_one = named is not None or self._tree.word(head).form.lower() in ONES
         slots = [
             (argument, element)
             for argument in self._reading.arguments
@@ -261,7 +270,9 @@ class _Amending:
             return ()
         argument, _ = fitting[0]
         made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
-        if is_one:
+        if named is not None:
+            made = with_property(made, named, argument)
+        elif is_one:
             made = of_same_kind(made, argument)
         elif len(made.positions) != len(self._fragment.positions):
             return ()
@@ -305,7 +316,7 @@ class _Amending:
         """Return the head of a fragment that is one noun phrase without prepositions; 0 for others."""
         kept = frozenset(self._fragment.positions)
         tops = [index for index in self._fragment.positions if self._tree.word(index).head not in kept]
-        if len(tops) != 1 or self._tree.word(tops[0]).upos not in ("NOUN", "PROPN", "PRON", "NUM", "X"):
+        if len(tops) != 1 or not (self._tree.word(tops[0]).upos in _NOMINAL or self._is_property(tops[0])):
             return 0
         # "The plate to the office" and "Ben the cup" are two phrases each.
         inside = [self._tree.word(index) for index in self._fragment.positions if index > tops[0]]
@@ -320,6 +331,11 @@ class _Amending:
             amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
         )
         return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in ONES) else tops[0]
+
+    def _is_property(self, head: int) -> bool:
+        """Whether a fragment names a thing only by a property: "no, *the smallest*"."""
+        said = [self._tree.word(index).form.lower() for index in self._fragment.positions]
+        return property_alone(self._tree.word(head)) is not None and said[0] == "the" and len(said) == 2
 
     @cached_property
     def _person_and_thing(self) -> Optional[Tuple[int, int]]:
