@@ -145,10 +145,17 @@ def on_other_side(
     )
 
 
-def of_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
+def of_same_kind(argument: TypedArgument, before: TypedArgument, named: Optional[Modifier] = None) -> TypedArgument:
     """Return an argument with the head "one" as a thing of the kind of an earlier one: "the red one" after "the blue
     mug" is the red mug, and after "some mugs", too.
+
+    Args:
+        argument: "the red one"
+        before: "the blue mug"
+        named: the property that an argument without a noun names: "the smallest"; None if it has the head "one"
     """
+    if named is not None:
+        argument = replace(argument, text=f"{argument.text} one", modifiers=(*argument.modifiers, named))
     compounds = tuple(replace(one, position=0) for one in before.modifiers if one.kind == "compound")
     is_one_of_several = before.is_plural and argument.head.lower() == "one"
     head = before.lemma if is_one_of_several else before.head
@@ -162,11 +169,3 @@ def of_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgumen
         semantic_type=before.semantic_type,
         modifiers=compounds + argument.modifiers,
     )
-
-
-def with_property(argument: TypedArgument, named: Modifier, before: TypedArgument) -> TypedArgument:
-    """Return an argument that is only a property as a thing of the kind of an earlier one: "the smallest" after "the
-    biggest mug" is the smallest mug.
-    """
-    text = f"{argument.text} one"
-    return of_same_kind(replace(argument, text=text, modifiers=(*argument.modifiers, named)), before)

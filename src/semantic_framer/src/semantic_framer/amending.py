@@ -11,14 +11,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import (
-    amount_argument,
-    of_same_kind,
-    on_other_side,
-    resolved,
-    unit_argument,
-    with_property,
-)
+from phrase_meanings.arguments import amount_argument, of_same_kind, on_other_side, resolved, unit_argument
 from phrase_meanings.head_words import ONES, property_alone
 from semantic_framer.dialogue import DEMONSTRATIVES, PRONOUNS, LastCommand
 from semantic_framer.fragment_kind import FragmentKind
@@ -270,10 +263,8 @@ class _Amending:
             return ()
         argument, _ = fitting[0]
         made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
-        if named is not None:
-            made = with_property(made, named, argument)
-        elif is_one:
-            made = of_same_kind(made, argument)
+        if is_one:
+            made = of_same_kind(made, argument, named)
         elif len(made.positions) != len(self._fragment.positions):
             return ()
         made = replace(made, relation=argument.relation)

@@ -18,6 +18,7 @@ _OF_NOUNS = frozenset(
 #: "By six" is an amount or a time: nobody goes by a number, and no cup stands by one.
 _BY = frozenset(["prep_by", "obl:by", "nmod:by"])
 _HARMLESS = word_class("harmless")
+_NOT = word_class("not")
 _SPEAKER_OBJECTS = word_class("speaker_objects")
 _ARGUMENTS = frozenset(["nsubj", "obj", "iobj", "obl", "xcomp"])
 _FUNCTION_RELATIONS = {
@@ -136,5 +137,7 @@ class Sentence:
         )
         # "Robot" calls the hearer, but "a story about a robot" does not.
         is_phrase = word.upos == "NOUN" and any(child.deprel == "case" for child in self.children(index))
-        is_harmless = word.form.lower() in _HARMLESS and not is_phrase
+        # "Clean the table, *not now*."
+        is_denied = any(child.form.lower() in _NOT for child in self.children(index))
+        is_harmless = word.form.lower() in _HARMLESS and not is_phrase and not is_denied
         return not is_harmless and index not in self.tree.fillers and not is_wisher
