@@ -31,10 +31,10 @@ _ARTICLES = word_class("articles")
 _LEAD_IN = word_class("lead_in")
 #: What the hearer is asked to do or told begins with these: "to come home", "that dinner is ready".
 _BEFORE_MESSAGES = frozenset(["to", "that"])
-#: An utterance with one of these words is more than an answer.
 _QUESTION_WORDS = word_class("question_words")
 #: The most words of a question about a question: "which one".
 _LONGEST_ASKED_BACK = 3
+#: An utterance with one of these words is more than an answer.
 _NO_ANSWER = word_class("negations") | word_class("conditions")
 _HEARER, _SPEAKER = word_class("words_of_the_hearer"), word_class("words_of_the_speaker")
 

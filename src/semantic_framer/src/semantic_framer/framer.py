@@ -172,6 +172,15 @@ def restructured(
         return uncertain.choices
 
 
+def _begun(heard: Heard, beginning: str) -> Heard:
+    """Say what happens to the command that runs: at once, or when the question that is asked now is answered."""
+    if isinstance(heard.outcome, Understood):
+        return replace(heard, outcome=replace(heard.outcome, beginning=beginning))
+    if heard.context.pending is None:
+        return heard
+    return replace(heard, context=replace(heard.context, pending=replace(heard.context.pending, beginning=beginning)))
+
+
 class _Hearing:
     """Understands one utterance."""
 
@@ -219,17 +228,15 @@ class _Hearing:
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None and pending.elements and leaves_open(meant, known):
             self._now.write("answer", tree.text, "is none. The question stays open")
-            return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=pending.plan), meant)
-        if answered is None:
+            answered = pending.clauses
+        elif answered is None:
             return self._read_in_world(meant, context)
-        self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
+        else:
+            self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
-        heard = Heard(*settled, meant)
-        if isinstance(heard.outcome, Understood):
-            return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
-        return heard
+        return _begun(Heard(*settled, meant), pending.beginning)
 
     def _finished(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
         """Understand what is said behind an unfinished sentence; a sentence of its own if it does not finish that."""
@@ -299,12 +306,7 @@ class _Hearing:
             told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
             if told != kept:
                 heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
-        if isinstance(heard.outcome, Understood):
-            return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
-        pending = heard.context.pending
-        if pending is not None:
-            pending = replace(pending, beginning=begun.kind)
-        return replace(heard, context=replace(heard.context, pending=pending))
+        return _begun(heard, begun.kind)
 
     def _read_command(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a command; one that cannot be understood as it is may have conditions."""

@@ -236,3 +236,12 @@ def test_a_command_is_repeated_so_many_times(talk: Talk, first: str, said: str, 
 def test_several_clauses_are_not_repeated_so_many_times(talk: Talk) -> None:
     talk.say("Turn around and move forward two metres.")
     assert isinstance(talk.say("Repeat that four times."), Refusal)
+
+
+def test_a_question_that_is_asked_again_keeps_the_beginning(talk: Talk) -> None:
+    talk.say("Turn left ninety degrees.")
+    first = talk.say("Then put the mug down.")
+    again = talk.say("Where?")
+    outcome = talk.say("On the table.")
+    assert again == first
+    assert isinstance(outcome, Understood) and outcome.beginning == "FOLLOW"
