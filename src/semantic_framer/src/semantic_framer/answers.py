@@ -65,14 +65,17 @@ def answer(
         known: lexical units and frames; an utterance that uses one of their verbs is a command, not an answer
         is_strict: whether every content word must belong to the answer
     Returns:
-        the clauses, completed by the answer; None if the utterance is not an answer, or says more than an answer
+        the clauses, completed by the answer, or as they were if it leaves the question open ("which one?"); None if the
+        utterance is not an answer, or says more than an answer
     """
     if any(reading.unit.frame_name not in known.frames for readings in pending.clauses for reading in readings):
         return None
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
     leaves_it_open = bool(pending.offered) and is_indifferent(sentence.tree.text)
-    if not leaves_it_open and (leaves_open(sentence, known) or _is_said_for_itself(sentence, pending, known)):
+    if not leaves_it_open and _leaves_open(sentence, known):
+        return pending.clauses
+    if not leaves_it_open and _is_said_for_itself(sentence, pending, known):
         return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
@@ -100,7 +103,7 @@ def answer(
     )
 
 
-def leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
+def _leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
     """Whether an utterance is about the question, and leaves it open: "which one?", "I don't know", "you choose"."""
     tree = sentence.tree
     if is_ignorant(tree.text) or is_indifferent(tree.text):

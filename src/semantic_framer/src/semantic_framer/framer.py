@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
-from semantic_framer.answers import answer, leaves_open, time_answered
+from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import chosen
 from semantic_framer.clause_links import answers_a_question, asks_whether, find_joints
@@ -226,13 +226,9 @@ class _Hearing:
             return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan), meant)
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
-        if answered is None and pending.elements and leaves_open(meant, known):
-            self._now.write("answer", tree.text, "is none. The question stays open")
-            answered = pending.clauses
-        elif answered is None:
+        if answered is None:
             return self._read_in_world(meant, context)
-        else:
-            self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
+        self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
