@@ -1,8 +1,8 @@
 """The command that follows a cry: "come back" of "Stop and come back."
 
-Most often a warning ("stop, you will hit the lamp"), an explanation or the same cry follows a cry. So
-only words after "and" or "then", or words after a pause that begin like a command, or say what was meant instead ("no,
-wait, I meant the plate"), count as one; the pipeline decides whether it can be carried out.
+Most often a warning ("stop, you will hit the lamp"), an explanation or the same cry follows a cry. So only words after
+"and" or "then" count as one, and words after a pause that begin like a command or say what was meant instead ("no,
+wait, I meant the plate"); the pipeline decides whether it can be carried out.
 """
 
 from typing import FrozenSet, Sequence

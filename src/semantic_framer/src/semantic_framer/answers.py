@@ -73,10 +73,11 @@ def answer(
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
     leaves_it_open = bool(pending.offered) and is_indifferent(sentence.tree.text)
-    if not leaves_it_open and _leaves_open(sentence, known):
-        return pending.clauses
-    if not leaves_it_open and _is_said_for_itself(sentence, pending, known):
-        return None
+    if not leaves_it_open:
+        if _leaves_open(sentence, known):
+            return pending.clauses
+        if _is_said_for_itself(sentence, pending, known):
+            return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
         frame = known.frames[reading.unit.frame_name]
@@ -108,10 +109,8 @@ def _leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
     tree = sentence.tree
     if is_ignorant(tree.text) or is_indifferent(tree.text):
         return True
-    asks = (
-        kind_without_clause(tree).kind is UtteranceKind.QUESTION and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
-    )
-    return asks and sentence.tree.words[0].form.lower() in _QUESTION_WORDS and not find_clauses(tree, known)
+    asks = tree.words[0].form.lower() in _QUESTION_WORDS and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
+    return asks and kind_without_clause(tree).kind is UtteranceKind.QUESTION and not find_clauses(tree, known)
 
 
 def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexicon) -> bool:
@@ -119,9 +118,9 @@ def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexic
 
     Any statement may be what somebody is to be told.
     """
-    if sentence.tree.words[0].form.lower() == "and" and sentence.tree.text.rstrip().endswith("?"):
-        return True
     tree = sentence.tree
+    if tree.words[0].form.lower() == "and" and tree.text.rstrip().endswith("?"):
+        return True
     clauses = find_clauses(tree, known)
     asked = zip(pending.clauses[pending.clause], pending.elements)
     elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
@@ -241,15 +240,10 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
         return []
     # "Now the book", "and the book"
     before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
-    around = frozenset(word.index for word in sentence.tree.words).difference(answering)
-    left_out = (
-        around
-        | frozenset(before)
-        | frozenset(
-            word.index
-            for word in sentence.tree.words
-            if word.deprel.startswith("discourse") and word.upos in left_out_tags
-        )
+    left_out = frozenset(before).union(
+        word.index
+        for word in sentence.tree.words
+        if word.index not in answering or (word.deprel.startswith("discourse") and word.upos in left_out_tags)
     )
     named = _named_values(sentence, element)
     if len(named) != 1:

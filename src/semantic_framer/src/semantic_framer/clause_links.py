@@ -134,7 +134,8 @@ class _Finder:
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question
-                unknown = unknown or tuple(index for index in rest if index <= self._last_before_deed(place))
+                last = self._last_before_deed(place)
+                unknown = unknown or tuple(index for index in rest if index <= last)
             place += 1
         joints = with_limits(found, limits)
         for joint in joints:
