@@ -40,6 +40,9 @@ from world_model.ros_messages import object_to_message, world_from_message
 
 # How long a question waits for the status that tells of it, seconds; it comes by another way, and earlier as a rule.
 _STATUS_WAIT_S = 0.5
+# How long the first question waits for what the node has not heard since it started, seconds. A graph without a world
+# model never tells of a world; then only the first question waits.
+_START_WAIT_S = 3.0
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,7 @@ class QuestionAnswering:
         self._settings = settings
         self._lock = threading.Lock()
         self._is_told = threading.Condition(self._lock)
+        self._unheard = {"world", "frame_catalogue", "frame_servers", "lexicon"}
         self._world_message = WorldMessage()
         self._world = World()
         self._frames: Dict[str, SemanticFrame] = {}
@@ -103,11 +107,17 @@ class QuestionAnswering:
         for name in ANSWERS:
             self._server.register_with_frame(name)
         self._server.start()
-        self._asking = Asking(timeout_s=settings.timeout_s, before=self._wait_for_status)
+        self._asking = Asking(timeout_s=settings.timeout_s, before=self._wait_until_told)
+
+    def _hear(self, topic: str) -> None:
+        """A topic has told what a question may be about. Called with the lock."""
+        self._unheard.discard(topic)
+        self._is_told.notify_all()
 
     def _on_world(self, message: WorldMessage) -> None:
         with self._lock:
             self._world_message = message
+            self._hear("world")
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         # The registrar has said which it refused.
@@ -116,6 +126,7 @@ class QuestionAnswering:
         with self._lock:
             self._frames = frames
             self._served = served_frames(frames, self._alive)
+            self._hear("frame_catalogue")
 
     def _on_speaker(self, message: String) -> None:
         with self._lock:
@@ -125,12 +136,14 @@ class QuestionAnswering:
         with self._lock:
             self._alive = frozenset(one.frame_name for one in message.callbacks if one.is_alive)
             self._served = served_frames(self._frames, self._alive)
+            self._hear("frame_servers")
 
     def _on_lexicon(self, message: LexiconMessage) -> None:
         # The framer has said which it refused.
         contents, _ = self._unit_files.contents((file.path, file.text) for file in message.files)
         with self._lock:
             self._units = tuple(unit for units in contents for unit in units)
+            self._hear("lexicon")
 
     def _on_status(self, message: CommandStatus) -> None:
         # Not command_text: command_server takes whoever listens to that for the parser.
@@ -142,12 +155,15 @@ class QuestionAnswering:
                     self._said.append(command)
             self._is_told.notify_all()
 
-    def _wait_for_status(self, question: Command) -> None:
-        """Wait until the status tells of a question: what was said before it is known then."""
+    def _wait_until_told(self, question: Command) -> None:
+        """Wait until the node knows what was said before a question, and what it may be about."""
         with self._is_told:
             self._is_told.wait_for(
                 lambda: bool(self._said) and self._said[-1].stamp >= question.stamp, timeout=_STATUS_WAIT_S
             )
+            if not self._is_told.wait_for(lambda: not self._unheard, timeout=_START_WAIT_S):
+                rospy.logwarn("nobody has told of %s; answers leave it out", ", ".join(sorted(self._unheard)))
+                self._unheard.clear()
 
     def _on_question(self, frame: TypedFrame) -> None:
         known = self._known()
