@@ -160,7 +160,7 @@ class Phrases:
             (child for child, prep in by_relation if prep == "of" and child.deprel.startswith("nmod")), None
         )
         exceptions = [child for child, prep in by_relation if prep in shipped_meanings().exceptions]
-        return TypedArgument(
+        argument = TypedArgument(
             **plain._asdict(),
             head=word.form,
             lemma=word.lemma.lower(),
@@ -171,7 +171,9 @@ class Phrases:
             quantifier=amount.quantifier,
             count=amount.count,
             count_bound=amount.bound,
-            is_negated=any(child.form.lower() in _NEGATIONS and child.deprel != "det" for child in children),
+            is_negated=any(
+                child.form.lower() in _NEGATIONS and child.deprel not in ("det", "case") for child in children
+            ),
             is_asked=amount.quantifier in ("how_many", "how_much", "which", "what"),
             direction=_direction(tree, noun, extent),
             modifiers=modifiers(tree, noun, children, own),
@@ -179,7 +181,6 @@ class Phrases:
             complement=None if complement is None else self._part(complement.index, left_out),
             members=members,
             conjunction=_conjunction(tree, conjuncts) if members else "",
-            exceptions=tuple(self._part(child.index, left_out) for child in exceptions),
             frames=_said(tree, noun, extent)
             + tuple(
                 frame
@@ -188,6 +189,11 @@ class Phrases:
                 for frame in [self._description(child, prep, left_out, own)]
                 if frame is not None
             ),
+        )
+        left = tuple(self._part(child.index, left_out) for child in exceptions)
+        return replace(
+            argument,
+            exceptions=tuple(of_same_kind(one, argument) if one.head.lower() in ONES else one for one in left),
         )
 
     def _part(self, head: int, left_out: FrozenSet[int]) -> TypedArgument:

@@ -149,8 +149,8 @@ class _Amending:
             return self._with_a_bit()
         if kind in PACES:
             return self._at_pace(PACES[kind])
-        is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in ONES
-        if kind is FragmentKind.OPPOSITE or is_one:
+        *before, last = (self._tree.word(index).form.lower() for index in self._fragment.positions)
+        if kind is FragmentKind.OPPOSITE or last in ONES or (before == ["the"] and last in _OPPOSITES):
             found = self._of_a_side() or self._replaced()
         else:
             found = self._replaced() or self._counted() or self._behind_same_preposition() or self._read_behind_verb()

@@ -86,7 +86,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "exceptions",
-        'Take what stands behind "but" out of all things: "anything but beer".',
+        'Take out of things what is not meant: "anything but beer", "a beer, not a warm one".',
         Example(
             "bring|VERB|0|root anything|PRON|1|obj but|CCONJ|4|cc beer|NOUN|2|conj",
             ("but: cc(beer) CCONJ/but -> case(beer) ADP/but", "beer: conj(anything) -> nmod(anything)"),

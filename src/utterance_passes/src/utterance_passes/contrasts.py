@@ -3,7 +3,6 @@
 from typing import FrozenSet, List, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
-from utterance_passes.pass_relations import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -18,15 +17,19 @@ _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _LEFT_OUT = frozenset(["conj", "nmod", "obl", "obj"])
 #: Relations of phrases that are added to a deed.
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
+_STANDINS = word_class("noun_standins")
 _OPPOSITE_SIDES = word_class("opposite_sides")
 
 
-@only_with("case", "cc")
 def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing.
+    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing. Take out of a
+    kind what is described: "a beer, not a warm one"."""
+    return _with_kinds_left_out(_with_things_left_out(tree))
 
-    It may stand behind other phrases: "put *everything* in the box *except the cup*".
-    """
+
+def _with_things_left_out(tree: DependencyTree) -> DependencyTree:
+    """Take out of all things what stands behind "but"; it may stand behind other phrases: "put *everything* in the box
+    *except the cup*"."""
     edit = TreeEdit(tree)
     for but in tree.words:
         if but.form.lower() not in _EXCEPTIONS or but.deprel not in ("case", "cc") or not but.head:
@@ -44,15 +47,54 @@ def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _things_before(tree: DependencyTree, but: Word, left_out: Word) -> List[Word]:
-    """Return the things of which others may be left out: the one above, and the object."""
+    """Return the things of which others may be left out: the one above, then the others of the deed, the last first."""
     above = tree.word(left_out.head)
-    verb = verb_above(tree, above)
-    objects = [child for child in tree.children(verb.index) if child.deprel == "obj" and child.index < but.index]
-    return [word for word in (above, *objects) if word.upos != "VERB"]
+    deed = tree.subtree(verb_above(tree, above).index)
+    before = [tree.word(index) for index in sorted(deed, reverse=True) if index < but.index]
+    return [word for word in (above, *before) if word.upos in _NOUNS or word.upos == "DET"]
 
 
 def _is_of_all(tree: DependencyTree, word: Word) -> bool:
     return any(one.form.lower() in _ALL for one in (word, *tree.children(word.index)))
+
+
+def _with_kinds_left_out(tree: DependencyTree) -> DependencyTree:
+    """Leave out what is like a thing but described: "a beer, *not a warm one*", "a cup, *but not the red one*".
+
+    A thing with an adjective of its own is contrasted with another one: "the red mug, not the white one".
+    """
+    edit = TreeEdit(tree)
+    for left_out in tree.words:
+        if left_out.form.lower() not in _STANDINS or left_out.deprel not in _OF_PHRASES or not left_out.head:
+            continue
+        own = tree.children(left_out.index)
+        denying = [one for one in own if one.form.lower() in _NOT and one.index == min(_inside(tree, left_out))]
+        thing = _thing_before(tree, left_out)
+        is_described = any(one.deprel.split(":")[0] in ("amod", "nmod", "acl") for one in own)
+        if thing is None or not denying or not is_described:
+            continue
+        for word in own:
+            if word in denying or word.form.lower() in _EXCEPTIONS:
+                edit.retag(word.index, "ADP", "IN")
+                edit.relabel(word.index, "case")
+        edit.rehang(left_out.index, thing.index, "nmod")
+    return edit.tree()
+
+
+def _inside(tree: DependencyTree, word: Word) -> FrozenSet[int]:
+    """Return the words of a phrase without what joins it to others."""
+    joints = {one.index for one in tree.children(word.index) if one.deprel in ("punct", "cc", "case")}
+    return tree.subtree(word.index) - joints
+
+
+def _thing_before(tree: DependencyTree, left_out: Word) -> Optional[Word]:
+    """Return the thing that another of its kind is left out of: the one above, or the object; None if it is described."""
+    above = tree.word(left_out.head)
+    objects = [one for one in tree.children(above.index) if one.deprel == "obj" and one.index < left_out.index]
+    thing = above if above.upos == "NOUN" else next(iter(objects), None)
+    if thing is None or any(one.deprel == "amod" for one in tree.children(thing.index)):
+        return None
+    return thing
 
 
 def with_what_is_meant(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -115,7 +157,8 @@ def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for word in tree.words:
         is_side = word.deprel in ("advmod", "conj") and word.form.lower() in _OPPOSITE_SIDES
         is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
-        if not (is_side or is_phrase) or not _is_contrast(tree, word):
+        is_exception = any(one.deprel == "case" and one.form.lower() in _NOT for one in tree.children(word.index))
+        if not (is_side or is_phrase) or is_exception or not _is_contrast(tree, word):
             continue
         for index in tree.subtree(word.index):
             edit.rehang(index, word.head, ASIDE)

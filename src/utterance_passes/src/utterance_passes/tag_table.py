@@ -85,6 +85,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.numbers_as_nouns,
     ),
     TagPass(
+        "amounts_as_verbs",
+        'Tag the words of an amount as such that the tagger took for verbs: "and half a meter back".',
+        Example("go|VERB on|ADV half|VERB a|DET meter|NOUN", ("3 DET PDT",), Verbs(frozenset(["go"]))),
+        Stage.PARSER,
+        tagging.amounts_as_verbs,
+    ),
+    TagPass(
         "numbered_noun",
         'Tag a word between "to" and a final number or letter as a noun if the lexicon does not know it as a verb.',
         Example(
