@@ -12,6 +12,7 @@ from semantic_framer.joints import SENTENCE_ENDS, Joint, Joints, with_limits
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
 from spoken_quantities import QuantityError, parse_measure
+from utterance_passes.measures import find_amounts
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -60,6 +61,17 @@ def answers_a_question(sentence: Sentence) -> bool:
     """Whether a sentence begins with the case in which something is to be done: "*if so,* close it"."""
     kind, _ = shipped_links().answer_at([word.form.lower() for word in _spoken(sentence)])
     return kind is not None
+
+
+def tells_how_long(sentence: Sentence) -> bool:
+    """Whether a sentence says only how long something goes on: "*until* she is in the kitchen", "*for* five minutes"."""
+    words = _spoken(sentence)
+    link, _ = shipped_links().link_at([word.form.lower() for word in words])
+    if link is not None:
+        return link.kind in (LinkKind.UNTIL, LinkKind.WHILE)
+    behind = frozenset(word.index for word in words[1:] if word.upos != "PUNCT")
+    amounts = find_amounts(sentence.tree, sorted(behind)) if words and words[0].form.lower() == "for" else ()
+    return any(amount.quantity == "duration" and behind <= frozenset(amount.positions) for amount in amounts)
 
 
 def _spoken(sentence: Sentence) -> List[Word]:

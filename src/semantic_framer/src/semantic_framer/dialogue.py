@@ -69,10 +69,12 @@ class LastCommand:
     Attributes:
         clauses: its readings, best first, with pronouns resolved
         stamp_s: when it was said, seconds; the stamp of the command
+        tree: of the sentence; None if it was no sentence, but an answer or a fragment
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     stamp_s: float
+    tree: Optional[DependencyTree] = None
 
 
 @dataclass(frozen=True)

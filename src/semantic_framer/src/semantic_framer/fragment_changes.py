@@ -24,6 +24,7 @@ from semantic_framer.outcome import (
 from semantic_framer.paces import PACES
 from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause
+from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
 _NEGATIONS = word_class("negations")
@@ -33,7 +34,9 @@ _NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "N
 _MARKS = " .!?,"
 
 
-def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float) -> Optional[LastCommand]:
+def last_command(
+    outcome: Outcome, before: Optional[LastCommand], said_s: float, tree: Optional[DependencyTree]
+) -> Optional[LastCommand]:
     """Return the command that the next fragment may change or repeat.
 
     A command that was refused or asked about leaves none: the fragment could mean it, and not the command before.
@@ -42,10 +45,11 @@ def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float)
         outcome: of this utterance
         before: the last command before it
         said_s: stamp of this utterance, seconds
+        tree: of this utterance, if it is a sentence
     """
     if isinstance(outcome, Understood):
         # A command with conditions is not repeated without them.
-        return LastCommand(outcome.clauses, said_s) if outcome.plan is None else None
+        return LastCommand(outcome.clauses, said_s, tree) if outcome.plan is None else None
     return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
 
 

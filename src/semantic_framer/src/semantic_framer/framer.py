@@ -6,7 +6,7 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import chosen
-from semantic_framer.clause_links import answers_a_question, asks_whether, find_joints
+from semantic_framer.clause_links import answers_a_question, asks_whether, find_joints, tells_how_long
 from semantic_framer.dialogue import Context, LastQuestion, Pending, is_no
 from semantic_framer.fragment_changes import last_command
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -54,7 +54,7 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import continued, said_after
+from utterance_passes.tree_edits import continued, lasting, said_after
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 
 __all__ = [
@@ -130,7 +130,8 @@ def hear(
     elif is_of_another:
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
-    last = last_command(outcome, heard.context.last, said_s)
+    sentence = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
+    last = last_command(outcome, heard.context.last, said_s, sentence)
     asked = _last_question(heard, said_s)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
@@ -255,6 +256,19 @@ class _Hearing:
         self._now.write("answer", said.tree.text, "goes on with the question before")
         return heard
 
+    def _going_on(self, said: Sentence, context: Context) -> Optional[Heard]:
+        """Understand how long the last command goes on, said for itself: "follow Anna" - "for five minutes"; None for
+        anything else."""
+        last = context.last.tree if context.last is not None else None
+        if last is None or not tells_how_long(said):
+            return None
+        whole = Sentence(lasting(last, said.tree), self._now.known.types)
+        heard = self._read_command(whole, context)
+        if not isinstance(heard.outcome, Understood):
+            return None
+        self._now.write("answer", said.tree.text, "is said of the command before")
+        return replace(heard, outcome=replace(heard.outcome, clauses=without_positions(heard.outcome.clauses)))
+
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
@@ -267,7 +281,8 @@ class _Hearing:
             return behind_question
         attached = attached_by_world(sentence, self._now.known, context)
         if attached is None:
-            return self._read(sentence, context)
+            heard = self._read(sentence, context)
+            return heard if isinstance(heard.outcome, Understood) else self._going_on(sentence, context) or heard
         trace = Trace() if self._trace is not None else None
         heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
         plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)

@@ -70,6 +70,23 @@ def test_all_but_one_has_an_exception(understand: Any) -> None:
     assert theme is not None and [one.text for one in theme.exceptions] == ["beer"] and not theme.members
 
 
+@pytest.mark.parametrize(
+    "text, left_out",
+    [
+        ("Bring me a cup, not the red one.", "the red cup"),
+        ("Bring me a cup, but not a dirty one.", "a dirty cup"),
+        ("Take all cups and not the red one.", "the red cup"),
+        ("Bring me three cups, not the red ones.", "the red cups"),
+    ],
+)
+def test_what_is_left_out_of_a_kind_is_an_exception(understand: Any, text: str, left_out: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood)
+    theme = outcome.clauses[0][0].argument("theme")
+    assert theme is not None and [one.text for one in theme.exceptions] == [left_out]
+    assert not theme.modifiers and not theme.exceptions[0].is_negated
+
+
 def test_what_is_told_is_not_done(understand: Any) -> None:
     outcome, _ = understand("You forgot the sugar.")
     assert isinstance(outcome, Refusal) and outcome.code == "REPORT"

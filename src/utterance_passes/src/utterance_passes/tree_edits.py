@@ -242,6 +242,26 @@ def said_after(tree: DependencyTree, answer: DependencyTree) -> DependencyTree:
     return mark_times(joined(text, (tree, moved)), times)
 
 
+def lasting(tree: DependencyTree, duration: DependencyTree) -> DependencyTree:
+    """Return the tree of a command with how long it goes on: "follow Anna" and "until she is in the kitchen".
+
+    Args:
+        tree: of the command
+        duration: of what is said of its end
+    """
+    whole = said_after(tree, duration)
+    edit = TreeEdit(whole)
+    first = len(tree.words)
+    if tree.words[-1].upos == "PUNCT":
+        edit.respell(first, ",")
+    edit.respell(first + 1, whole.word(first + 1).form.lower())
+    for word in whole.words[first:]:
+        if word.deprel == "parataxis" and word.head <= first:
+            is_clause = any(child.deprel == "mark" for child in whole.children(word.index))
+            edit.relabel(word.index, "advcl" if is_clause else "obl")
+    return edit.tree()
+
+
 def _inside_sentence(word: Word) -> str:
     """Return the form of a word that no longer begins its sentence: "turn *the* lights off" for "*The* lights off"."""
     is_common = word.index == 1 and word.upos != "PROPN" and word.form.istitle() and word.form != "I"
