@@ -64,7 +64,7 @@ def answers_a_question(sentence: Sentence) -> bool:
 
 
 def tells_how_long(sentence: Sentence) -> bool:
-    """Whether a sentence says only how long something goes on: "*until* she is in the kitchen", "*for* five minutes"."""
+    """Whether a sentence only says how long something goes on: "*until* she is in the hall", "*for* five minutes"."""
     words = _spoken(sentence)
     link, _ = shipped_links().link_at([word.form.lower() for word in words])
     if link is not None:

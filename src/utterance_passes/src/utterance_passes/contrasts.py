@@ -88,10 +88,10 @@ def _inside(tree: DependencyTree, word: Word) -> FrozenSet[int]:
 
 
 def _thing_before(tree: DependencyTree, left_out: Word) -> Optional[Word]:
-    """Return the thing that another of its kind is left out of: the one above, or the object; None if it is described."""
+    """Return the thing that one of its kind is left out of, the one above or the object; None if it is described."""
     above = tree.word(left_out.head)
     objects = [one for one in tree.children(above.index) if one.deprel == "obj" and one.index < left_out.index]
-    thing = above if above.upos == "NOUN" else next(iter(objects), None)
+    thing = next(iter([above] if above.upos == "NOUN" else objects), None)
     if thing is None or any(one.deprel == "amod" for one in tree.children(thing.index)):
         return None
     return thing
