@@ -9,6 +9,7 @@ from utterance_passes import (
     correct_parse,
     places_told,
     purposes,
+    questions_for_others,
     relations,
     wished_results,
 )
@@ -116,7 +117,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
             ("Bob: obj(ask) -> iobj(ask)", "sees: advcl(ask) -> ccomp(ask)"),
         ),
         Stage.FRAMER,
-        relations.with_asked_clauses,
+        questions_for_others.with_asked_clauses,
     ),
     TreePass(
         "told_predicates",

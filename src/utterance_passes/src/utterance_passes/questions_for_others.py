@@ -1,4 +1,4 @@
-"""Separates the deeds behind a question for somebody else from it: "ask Bob what he wants *and bring it to him*"."""
+"""Finds the question for somebody else, and the deeds behind it: "ask Bob *what he wants* and bring it to him"."""
 
 from typing import FrozenSet
 
@@ -8,9 +8,44 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
+_ASKING = word_class("asking_verbs")
 _QUESTION_WORDS = word_class("question_words")
 _THERE = frozenset(["there"])
 _THINGS = word_class("pronouns_of_things") | word_class("pronouns_of_persons_or_things") | {"one"}
+_WHETHER = word_class("whether_words")
+
+
+@only_with("advcl")
+def with_asked_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition. What
+    somebody is told how to do is such a clause, too: "tell Bob *how to get there*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        children = tree.children(verb.index)
+        for clause in children if vocabulary.speech_of(verb.lemma.lower()) is not None else ():
+            first = tree.word(min(tree.subtree(clause.index)))
+            if clause.deprel == "advcl" and tree.is_infinitive(clause.index) and first.form.lower() in _QUESTION_WORDS:
+                edit.relabel(clause.index, "ccomp")
+        if verb.lemma.lower() not in _ASKING:
+            continue
+        asked = [child for child in children if child.deprel in ("obj", "iobj") and child.index > verb.index]
+        for clause in children:
+            marks = [child.index for child in tree.children(clause.index) if child.form.lower() in _WHETHER]
+            is_behind = bool(asked and marks) and marks[0] == _end_of_phrases(tree, verb, asked[0]) + 1
+            if clause.deprel == "advcl" and is_behind:
+                edit.relabel(clause.index, "ccomp")
+                edit.relabel(asked[0].index, "iobj")
+    return edit.tree()
+
+
+def _end_of_phrases(tree: DependencyTree, verb: Word, first: Word) -> int:
+    """Return the last word of a phrase and of those right behind it: "ask *Anna in the kitchen* if she wants tea"."""
+    end = max(tree.subtree(first.index))
+    for child in tree.children(verb.index):
+        inside = tree.subtree(child.index)
+        if child.deprel == "obl" and min(inside) == end + 1:
+            end = max(inside)
+    return end
 
 
 @only_with("ccomp")

@@ -422,26 +422,3 @@ def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
         if is_alone and objects[0].deprel == "obj" and is_person_or_name(objects[0]):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
-
-
-@only_with("advcl")
-def with_asked_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition. What
-    somebody is told how to do is such a clause, too: "tell Bob *how to get there*"."""
-    edit = TreeEdit(tree)
-    for verb in tree.words:
-        children = tree.children(verb.index)
-        for clause in children if vocabulary.speech_of(verb.lemma.lower()) is not None else ():
-            first = tree.word(min(tree.subtree(clause.index)))
-            if clause.deprel == "advcl" and tree.is_infinitive(clause.index) and first.form.lower() in _QUESTION_WORDS:
-                edit.relabel(clause.index, "ccomp")
-        if verb.lemma.lower() not in _ASKING:
-            continue
-        asked = [child for child in children if child.deprel in ("obj", "iobj") and child.index > verb.index]
-        for clause in children:
-            marks = [child.index for child in tree.children(clause.index) if child.form.lower() in _WHETHER]
-            is_behind = bool(asked and marks) and marks[0] == max(tree.subtree(asked[0].index)) + 1
-            if clause.deprel == "advcl" and is_behind:
-                edit.relabel(clause.index, "ccomp")
-                edit.relabel(asked[0].index, "iobj")
-    return edit.tree()
