@@ -55,8 +55,8 @@ def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[st
 
 
 def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:
-    """Whether the head of a word is the verb or a phrase of the verb: "check whether it is on" has no "check on", nor has
-    "check whether I left it on"."""
+    """Whether the head of a word is the verb or a phrase of the verb: "check whether it is on" has no "check on", nor
+    has "check whether I left it on"."""
     head = tree.word(tree.word(index).head) if tree.word(index).head else None
     if head is None or head.index == clause.verb:
         return head is not None
