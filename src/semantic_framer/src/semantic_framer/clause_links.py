@@ -400,7 +400,8 @@ class _Finder:
         joiner, length = shipped_links().joiner_at(self.forms[place:])
         if any(self.words[place].index in time for time in self.sentence.tree.times):
             return None, 0  # "Next week" is a time.
-        if joiner is None or not self._is_front(place) or self._has_more(place, length):
+        is_front = self._is_front(place) or self._is_otherwise(joiner, place + length)
+        if joiner is None or not is_front or self._has_more(place, length):
             # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.
             is_last = joiner is not None and joiner.kind is LinkKind.MEANWHILE and self._is_end(place + length)
             if joiner is None or not is_last:
@@ -412,6 +413,12 @@ class _Finder:
         behind = self.words[place + length : place + length + 1]
         inside = self.words[place : place + length]
         return any(word.deprel in ("aux", "cop") and word.head == verb.index for verb in behind for word in inside)
+
+    def _is_otherwise(self, joiner: Optional[Link], behind: int) -> bool:
+        """Whether a deed stands behind a joiner for the other case, which needs no comma: "close it *otherwise* wait"."""
+        is_other = joiner is not None and joiner.kind in (LinkKind.OTHERWISE, LinkKind.OR_ELSE)
+        deeds = self.words[behind : behind + 1] if is_other else []
+        return any(one.upos == "VERB" and bool(self.known.verbs_beginning_with(one.lemma.lower())) for one in deeds)
 
     def _is_front(self, place: int) -> bool:
         before = self.words[place - 1] if place else None

@@ -89,10 +89,19 @@ def with_limits(found: Sequence[Joint], limits: Sequence[Joint]) -> List[Joint]:
 
 
 def may_be_of_last_choice(tree: DependencyTree, joints: Sequence[Joint]) -> bool:
-    """Whether a condition may be that of the last choice alone: "bring me the cup, or the glass *if there is none*"."""
-    conditional = (joint for joint in joints if joint.kind in (LinkKind.IF, LinkKind.UNLESS))
+    """Whether a condition may be that of the last choice alone: "bring me the cup, or the glass *if there is none*".
+
+    Without the comma it is, if it is about a choice before: "bring me coffee or tea *if there is no coffee*".
+    """
+    conditional = [joint for joint in joints if joint.kind in (LinkKind.IF, LinkKind.UNLESS)]
     return any(
-        word.form.lower() == "or" and tree.word(word.index - 1).form == "," and word.index < joint.first - 1
+        word.form.lower() == "or" and (tree.word(word.index - 1).form == "," or _is_about(tree, joint, word.index))
         for joint in conditional
-        for word in tree.words[1 : joint.first - 1]
+        for word in tree.words[1 : joint.first - 2]
     )
+
+
+def _is_about(tree: DependencyTree, joint: Joint, end: int) -> bool:
+    """Whether a condition names a thing that was named before a position."""
+    before = {word.lemma.lower() for word in tree.words[: end - 1] if word.upos in ("NOUN", "PROPN")}
+    return any(tree.word(index).lemma.lower() in before for index in joint.positions)
