@@ -415,7 +415,7 @@ class _Finder:
         return any(word.deprel in ("aux", "cop") and word.head == verb.index for verb in behind for word in inside)
 
     def _is_otherwise(self, joiner: Optional[Link], behind: int) -> bool:
-        """Whether a deed stands behind a joiner for the other case, which needs no comma: "close it *otherwise* wait"."""
+        """Whether a deed stands behind a joiner for the other case, without a comma: "close it *otherwise* wait"."""
         is_other = joiner is not None and joiner.kind in (LinkKind.OTHERWISE, LinkKind.OR_ELSE)
         deeds = self.words[behind : behind + 1] if is_other else []
         return any(one.upos == "VERB" and bool(self.known.verbs_beginning_with(one.lemma.lower())) for one in deeds)

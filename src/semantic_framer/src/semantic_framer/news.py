@@ -18,6 +18,10 @@ from word_classes import turned_round, word_class, word_list
 
 #: Links before news.
 _OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
+_TOLD = (LinkKind.IF, LinkKind.UNLESS, *_OF_NEWS)
+_FORMS_OF_BE = word_class("forms_of_be")
+_SOME = word_class("articles") | frozenset(["any", "some"])
+_NEGATIONS = word_class("negations")
 _OF_SPEAKER = word_class("words_of_the_speaker") | word_class("words_of_speakers")
 _OF_TWO = _OF_SPEAKER | word_class("words_of_the_hearer")
 _SPEAKER_OBJECTS = word_class("speaker_objects")
@@ -55,14 +59,19 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
 
 def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: FramedLexicon) -> Clauses:
     """Return clauses in which what the robot waits for or looks at is what it tells: "tell me when the oven is off",
-    "if the door is open, tell me"."""
+    "if the door is open, tell me". In the other case it tells the opposite: "is it open? if not, tell me"."""
     kinds = [joint.kind for joint in joints.found]
     if LinkKind.OTHERWISE in kinds:
         return clauses  # "..., otherwise tell me" tells something else.
-    news = [joint.condition for joint in joints.found if joint.condition and joint.kind in (LinkKind.IF, *_OF_NEWS)]
+    news = [(joint.condition, joint.kind) for joint in joints.found if joint.condition and joint.kind in _TOLD]
     if len(news) != 1:
         return clauses
-    said = (news[0].words or sentence.text(sorted(news[0].positions))).strip(" ,.!?")
+    (condition, kind), *_ = news
+    said = (condition.words or sentence.text(sorted(condition.positions))).strip(" ,.!?")
+    if kind is LinkKind.UNLESS:
+        said = _denied(said)
+    if not said:
+        return clauses
     is_of_speaker = _has(said, _OF_SPEAKER)
     told = turned_round(said, is_clause=True)
     return tuple(
@@ -89,6 +98,19 @@ def with_end_told(clauses: Clauses, sentence: Sentence, positions: Sequence[int]
         return clauses
     told = turned_round(" ".join(said[length:]), is_clause=True)
     return tuple(tuple(_told(reading, told, known) for reading in readings) for readings in clauses)
+
+
+def _denied(said: str) -> str:
+    """Return the opposite of a statement with a form of "be"; empty for another one, and for one that denies."""
+    words = said.split()
+    finite = next((place for place, word in enumerate(words) if word.lower() in _FORMS_OF_BE), None)
+    if finite is None or _has(said, _NEGATIONS):
+        return ""
+    before, behind = words[: finite + 1], words[finite + 1 :]
+    is_existence = "there" in (word.lower() for word in before)
+    if is_existence and behind and behind[0].lower() in _SOME:
+        behind = behind[1:]
+    return " ".join([*before, "no" if is_existence else "not", *behind])
 
 
 def _in_full(word: Word) -> str:
