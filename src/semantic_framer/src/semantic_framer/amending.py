@@ -18,10 +18,11 @@ from semantic_framer.fragment_kind import FragmentKind
 from semantic_framer.fragments import Fragment
 from semantic_framer.frame_roles import MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.kinds_spoken_of import so_many
 from semantic_framer.matching import read_clause
 from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase, so_many
+from semantic_framer.references import noun_phrase
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, stated
 from semantic_framer.type_fits import with_types

@@ -97,7 +97,7 @@ def may_be_of_last_choice(tree: DependencyTree, joints: Sequence[Joint]) -> bool
     return any(
         word.form.lower() == "or" and (tree.word(word.index - 1).form == "," or _is_about(tree, joint, word.index))
         for joint in conditional
-        for word in tree.words[1 : joint.first - 2]
+        for word in tree.words[1 : max(1, joint.first - 2)]
     )
 
 

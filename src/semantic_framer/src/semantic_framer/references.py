@@ -6,18 +6,25 @@ from typing import AbstractSet, Iterable, List, Mapping, Optional, Sequence, Tup
 
 from phrase_meanings.arguments import of_same_kind, resolved
 from phrase_meanings.head_words import ONES
-from referring_expressions.describing import plural_of
 from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
 from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, SAID, THINGS, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.kinds_spoken_of import (
+    is_one_in_order,
+    is_one_more,
+    is_some,
+    number_alone,
+    of_the_same_kind,
+    so_many,
+    so_much,
+)
 from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
-from spoken_quantities.numbers import find_whole_number
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause, prepositions_of
 from utterance_passes.persons import is_person
@@ -26,9 +33,6 @@ from utterance_passes.tree_edits import TreeEdit
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
-_ORDINALS = word_class("ordinals") | word_class("last_ordinals")
-#: Behind a number of further things.
-_MORE = " more"
 #: By the part of an element: the types of things into which others are put.
 _TYPES_OF_WHAT_HOLDS = {"Device": ["Device"], CONTAINER: ["Container", "Portal", "Device"]}
 _PERSONS = frozenset(["Sentient"])
@@ -102,20 +106,16 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             value = persons[0]
         elif (like := _contrasted(value, reading)) is not None:
             value = of_same_kind(value, like)
-        elif things and element is not None and element.framenet not in CONTENTS and _is_one_more(value):
-            if _is_one_in_order(value) and len({thing.noun for thing in things}) > 1:
+        elif things and element is not None and element.framenet not in CONTENTS and is_one_more(value):
+            if is_one_in_order(value) and len({thing.noun for thing in things}) > 1:
                 return value
-            value = _of_the_same_kind(value, things[0])
-        elif things and element is not None and element.framenet in THINGS and (count := _number_alone(value)):
+            value = of_the_same_kind(value, things[0].phrases[0]) if things[0].phrases else value
+        elif things and element is not None and element.framenet in THINGS and (count := number_alone(value)):
             value = so_many(value, count, things[0].phrases[0]) if things[0].phrases else value
+        elif things and things[0].phrases and element is not None and element.framenet in THINGS and is_some(value):
+            value = so_much(value, things[0].phrases[0])
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
-
-
-def _is_one_more(value: TypedArgument) -> bool:
-    """Whether a phrase names another thing of a kind: "one", "the red one"; "this one" is shown, not named."""
-    is_one = value.head.lower() in ONES and bool(value.positions) and value.measure is None
-    return is_one and value.quantifier not in DEMONSTRATIVES
 
 
 def _contrasted(value: TypedArgument, reading: Reading) -> Optional[TypedArgument]:
@@ -127,43 +127,8 @@ def _contrasted(value: TypedArgument, reading: Reading) -> Optional[TypedArgumen
         if value.positions and other.positions and max(other.positions) < min(value.positions)
         if other.modifiers and other.head.lower() not in ONES and other.semantic_type != "Human"
     ]
-    is_described = _is_one_more(value) and any(modifier.kind == "adjective" for modifier in value.modifiers)
+    is_described = is_one_more(value) and any(modifier.kind == "adjective" for modifier in value.modifiers)
     return max(before, key=lambda other: max(other.positions)) if before and is_described else None
-
-
-def _is_one_in_order(value: TypedArgument) -> bool:
-    """Whether a phrase chooses by order: "take the cup", "take the plate", "put *the first one* on the table"."""
-    return any(modifier.word.lower() in _ORDINALS for modifier in value.modifiers)
-
-
-def _number_alone(value: TypedArgument) -> int:
-    """Return how many things a phrase names without their noun: "bring me *two*", "*two more*"; 0 for none."""
-    text = value.text.lower()
-    number = find_whole_number(text[: -len(_MORE)] if text.endswith(_MORE) else text)
-    return number if number is not None and number > 0 and value.positions and value.measure is None else 0
-
-
-def so_many(value: TypedArgument, count: int, thing: TypedArgument) -> TypedArgument:
-    """Return so many things of the kind that was spoken of: "are there apples?", "bring me two".
-
-    Args:
-        value: the number alone
-        count: its value
-        thing: what was spoken of
-    """
-    kind = of_same_kind(value, thing)
-    noun = plural_of(kind.lemma) if count > 1 else kind.lemma
-    return value if kind is value else replace(kind, text=f"{value.text} {noun}", count=count, is_plural=count > 1)
-
-
-def _of_the_same_kind(value: TypedArgument, thing: Thing) -> TypedArgument:
-    if not thing.phrases:
-        return value
-    kind = thing.phrases[0]
-    made = of_same_kind(value, kind)
-    if value.text.lower() != "one":
-        return made
-    return replace(made, text=kind.text if kind.quantifier == "a" else f"one {made.text}", count=1)
 
 
 def _pronoun_in(text: str) -> Tuple[str, str]:
