@@ -14,6 +14,7 @@ from word_classes import word_class
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
+_LIKE_DEEDS = word_class("nouns_like_deeds")
 _MODALS = word_class("polite_modals")
 _NEVER_LAST = word_class("never_last")
 _OBJECTS = word_class("object_beginnings")
@@ -22,6 +23,7 @@ _PARTICLES = word_class("verb_particles")
 _SENTENCE_ENDS = frozenset([".", "!", "?"])
 _SAYING = word_class("saying_verbs")
 _SUBJECTS = word_class("clause_subjects")
+_TO = word_class("to_prepositions")
 _WITH_A_VERB = word_class("verbs_with_verbs")
 #: Names of times, and the words around them.
 _TIMES = frozenset().union(
@@ -34,7 +36,7 @@ _OF_TIMES = frozenset().union(
     *(word_class(name) for name in ("time_prepositions", "time_determiners", "time_modifiers", "period_determiners"))
 )
 #: Words that join a command to the one before it; the parser handles them.
-_JOINING = frozenset(["and", "then"])
+_JOINING = word_class("words_between_commands")
 #: Parts of speech that can end a complete phrase.
 _COMPLETE = frozenset(["NOUN", "PROPN", "PRON", "NUM", "ADV", "INTJ", "SYM"])
 
@@ -101,6 +103,8 @@ def sentences(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary)
 
 def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, vocabulary: Vocabulary) -> bool:
     following = said[position + 1]
+    if " ".join(said[position - 1 : position + 1]) in _LIKE_DEEDS:
+        return False  # "To the night *stand* to the left".
     if said[position] in _MODALS:
         behind = position + 2 + (said[position + 2 : position + 3] == ["please"])
         return following == "you" and bool(vocabulary.verbs_beginning_with("".join(said[behind : behind + 1])))
@@ -108,7 +112,9 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
         return False
     # Behind a time, the parser takes the verb for a noun: "at eight turn on the light".
     is_phrasal = following in _PARTICLES and (tags[position] == "VERB" or _is_time(said[:position]))
-    return following in _OBJECTS or (is_phrasal and "".join(said[position + 2 : position + 3]) in _OBJECTS)
+    # "I am hungry *go to the kitchen*."
+    is_way = following in _TO and tags[position] == "VERB"
+    return following in _OBJECTS or ((is_phrasal or is_way) and "".join(said[position + 2 : position + 3]) in _OBJECTS)
 
 
 def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:

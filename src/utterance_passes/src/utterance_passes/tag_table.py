@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import listed_nouns, tagging
+from utterance_passes import nouns_taken_for_verbs, tagging
 from utterance_passes.utterance_pass import Example, Stage, TagPass
 from utterance_passes.vocabulary import Verbs
 
@@ -75,7 +75,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
             Verbs(frozenset(["bring"])),
         ),
         Stage.PARSER,
-        listed_nouns.nouns_in_lists,
+        nouns_taken_for_verbs.nouns_in_lists,
     ),
     TagPass(
         "numbers_as_nouns",
@@ -89,7 +89,14 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         'Tag the words of an amount as such that the tagger took for verbs: "and half a meter back".',
         Example("go|VERB on|ADV half|VERB a|DET meter|NOUN", ("3 DET PDT",), Verbs(frozenset(["go"]))),
         Stage.PARSER,
-        tagging.amounts_as_verbs,
+        nouns_taken_for_verbs.amounts_as_verbs,
+    ),
+    TagPass(
+        "nouns_like_deeds",
+        "Tag the second word of a noun of two words as a noun that the tagger took for a verb.",
+        Example("go|VERB to|ADP the|DET night|NOUN stand|VERB", ("5 NOUN NN",), Verbs(frozenset(["go"]))),
+        Stage.PARSER,
+        nouns_taken_for_verbs.nouns_like_deeds,
     ),
     TagPass(
         "numbered_noun",

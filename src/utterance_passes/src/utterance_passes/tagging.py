@@ -5,7 +5,7 @@ from typing import Optional, Sequence, Tuple
 
 from semantic_types import Fit, shipped_types
 from semantic_types.parts_of_speech import ADJECTIVE, ADVERB, NOUN, VERB, parts_of_speech
-from spoken_quantities import find_unit, number_words
+from spoken_quantities import number_words
 from utterance_passes.amounts import SIGNS
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
@@ -14,7 +14,6 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ARTICLES = word_class("articles")
-_BEFORE_DETERMINERS = word_class("before_determiners")
 _BEFORE_GERUNDS = word_class("aspectual_verbs") | word_class("verbs_before_gerunds")
 _CONDITIONS = word_class("conditions")
 _DETERMINERS = word_class("determiners_and_possessives")
@@ -188,20 +187,6 @@ def numbers_as_nouns(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
         if position == len(tags) or tags[position] in ("PUNCT", "INTJ", "CCONJ")
         if not frozenset(word.lower() for word in forms[position : position + 3]) & _NUMBER_WORDS
     )
-
-
-def amounts_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Tag the words of an amount that the tagger took for verbs: "then *half* a meter back", "and one *step* back"."""
-    found = []
-    for position, (form, tag) in enumerate(zip(forms, tags), start=1):
-        if tag != "VERB" or vocabulary.verbs_beginning_with(form.lower()):
-            continue
-        unit = forms[position + 1] if position + 1 < len(forms) and forms[position].lower() in _ARTICLES else ""
-        if form.lower() in _BEFORE_DETERMINERS and find_unit(unit):
-            found.append(Retag(position, "DET", "PDT"))
-        elif find_unit(form) and position > 1 and tags[position - 2] == "NUM":
-            found.append(Retag(position, "NOUN", "NN", "Number=Sing"))
-    return tuple(found)
 
 
 def signs(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:

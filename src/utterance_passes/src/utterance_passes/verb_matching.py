@@ -32,26 +32,31 @@ def match_verbs(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) ->
 
 
 def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
-    """Find the particles of a verb: beside it, after its object ("pick it up"), or as a preposition ("look for")."""
+    """Find the particles of a verb: beside it, after its object ("pick it up"), or as a preposition ("look for").
+
+    Of several, the one right before the next particle is meant: "turn to the right *to face* the sink".
+    """
     found: List[int] = []
     after = clause.verb
-    for particle in particles:
-        position = next(
-            (
-                index
-                for index in sorted(clause.positions)
-                if index > after
-                and tree.word(index).form.lower() == particle
-                and (index == after + 1 or tree.word(index).deprel in _PARTICLES)
-                and (index == after + 1 or _is_near(tree, clause, index))
-            ),
-            None,
-        )
-        if position is None:
+    for particle, following in zip(particles, [*particles[1:], ""]):
+        possible = [
+            index
+            for index in sorted(clause.positions)
+            if index > after
+            and tree.word(index).form.lower() == particle
+            and (index == after + 1 or tree.word(index).deprel in _PARTICLES)
+            and (index == after + 1 or _is_near(tree, clause, index))
+        ]
+        if not possible:
             return None
-        found.append(position)
-        after = position
+        together = (one for one in possible if one + 1 in clause.positions and _form(tree, one + 1) == following)
+        after = next(together, possible[0])
+        found.append(after)
     return tuple(found)
+
+
+def _form(tree: DependencyTree, index: int) -> str:
+    return tree.word(index).form.lower()
 
 
 def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:

@@ -35,7 +35,7 @@ ORDER = (
     "minus_sign negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions "
     "blanks ends typos less_precise fronted_times surroundings sentences run_ons command_verb "
     "verbs_behind_commas verbs_behind_no verbs_behind_and signs no_one sides_alone nouns_in_lists "
-    "numbers_as_nouns amounts_as_verbs numbered_noun adverbs prepositions_as_verbs "
+    "numbers_as_nouns amounts_as_verbs nouns_like_deeds numbered_noun adverbs prepositions_as_verbs "
     "left_behind prepositions_before_names "
     "gerunds_as_nouns names_as_verbs nouns_behind_verbs contracted_verbs verbs_of_conditions "
     "verbs_of_questions resulting_states properties_of_pronouns one_object particle_predicates verb_compounds "
