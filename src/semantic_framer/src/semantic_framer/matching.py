@@ -386,7 +386,8 @@ class _Filling:
             return frozenset()
         taken = frozenset(self._heads.values())
         found: FrozenSet[int] = frozenset()
-        for phrase in self._sentence.children(self._clause.verb):
+        # "Turn *to face* the cup on the floor" has a verb of several words.
+        for phrase in (child for index in self._match.positions for child in self._sentence.children(index)):
             inner = [other for other in taken if other in self._sentence.subtree(phrase.index) - {phrase.index}]
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             # "The door *directly* in front of you": the parser attaches the adverb to the verb.

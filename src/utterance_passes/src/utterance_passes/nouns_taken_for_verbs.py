@@ -5,6 +5,7 @@ from typing import Sequence, Tuple
 from semantic_types import Fit, shipped_types
 from semantic_types.parts_of_speech import NOUN, parts_of_speech
 from spoken_quantities import find_unit
+from utterance_passes.two_word_nouns import is_two_word_noun
 from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
@@ -15,8 +16,8 @@ _DEEDS_ALONE = word_class("deeds_alone")
 #: Tags before the last item of a list at the end: "a cup, *plate* and fork", "bring *the knife* and fork".
 _ITEMS = (("NOUN", "PUNCT", "NOUN"), ("VERB", "DET", "NOUN"))
 #: Parts of speech before a noun of two words.
-_BEFORE_NOUNS = frozenset(["DET", "ADJ", "PRON", "NUM"])
-_LIKE_DEEDS = word_class("nouns_like_deeds")
+_BEFORE_NOUNS = frozenset(["DET", "ADJ", "PRON", "NUM", "NOUN"])
+_OBJECTS = word_class("object_beginnings")
 _JOINTS = frozenset(["and", "or"])
 #: Types of what can be taken, and of what can be read.
 _THINGS = ("Physical_entity", "Information")
@@ -69,6 +70,7 @@ def nouns_like_deeds(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -
     return tuple(
         Retag(position, "NOUN", "NN", "Number=Sing")
         for position in range(3, len(said) + 1)
-        if tags[position - 1] == "VERB" and f"{said[position - 2]} {said[position - 1]}" in _LIKE_DEEDS
-        if tags[position - 3] in _BEFORE_NOUNS and "".join(said[position : position + 1]) not in _ARTICLES
+        if tags[position - 1] == "VERB" and tags[position - 2] == "NOUN" and tags[position - 3] in _BEFORE_NOUNS
+        if "".join(said[position : position + 1]) not in _OBJECTS
+        if is_two_word_noun(said[position - 2], said[position - 1])
     )

@@ -8,13 +8,13 @@ from typing import Sequence, Tuple
 
 from spoken_quantities import find_number
 from utterance_passes.tree import QUOTATION_MARKS
+from utterance_passes.two_word_nouns import is_two_word_noun
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
-_LIKE_DEEDS = word_class("nouns_like_deeds")
 _MODALS = word_class("polite_modals")
 _NEVER_LAST = word_class("never_last")
 _OBJECTS = word_class("object_beginnings")
@@ -103,7 +103,11 @@ def sentences(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary)
 
 def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, vocabulary: Vocabulary) -> bool:
     following = said[position + 1]
-    if " ".join(said[position - 1 : position + 1]) in _LIKE_DEEDS:
+    if (
+        tags[position - 1] == "NOUN"
+        and following not in _OBJECTS
+        and is_two_word_noun(*said[position - 1 : position + 1])
+    ):
         return False  # "To the night *stand* to the left".
     if said[position] in _MODALS:
         behind = position + 2 + (said[position + 2 : position + 3] == ["please"])
