@@ -18,11 +18,29 @@ _HEARERS = word_class("hearers")
 _HERE = word_class("here_and_there")
 _MANNERS = word_class("manner_adverbs")
 _NOT = word_class("not")
+#: Relations of verbs that are no part of a noun phrase.
+_OF_DEEDS = frozenset(["root", "conj", "parataxis", "advcl", "xcomp", "ccomp"])
 _ONES = word_class("noun_standins")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _SIDES = word_class("opposite_sides")
 _SPEAKERS = word_class("speaker_subjects")
 _UNTIL = frozenset(["until", "till"])
+
+
+@only_with("nummod")
+def with_numbers_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a number to the verb before it, not to a noun of another deed: "go to the middle, turn *45* right, take a
+    photo" has no middle 45, and "turn left *60*, take a photo" takes no 60 photos."""
+    edit = TreeEdit(tree)
+    for number in tree.words:
+        if number.deprel != "nummod" or number.upos != "NUM":
+            continue
+        first, last = sorted((number.index, number.head))
+        between = [word for word in tree.words[first : last - 1] if word.upos == "VERB" and word.deprel in _OF_DEEDS]
+        before = [word for word in tree.words[: number.index - 1] if word.upos == "VERB"]
+        if between and before:
+            edit.rehang(number.index, before[-1].index, "obl:unmarked")
+    return edit.tree()
 
 
 @only_with("conj", "parataxis")

@@ -41,6 +41,16 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         joined.with_particles_at_verbs,
     ),
     TreePass(
+        "numbers_at_verbs",
+        "Attach a number to the verb before it that the parser gives to a noun of another deed.",
+        Example(
+            "go|VERB|0|root to|ADP|3|case halls|NOUN|1|obl ,|PUNCT|5|punct turn|VERB|1|conj 45|NUM|3|nummod",
+            ("45: nummod(halls) -> obl:unmarked(turn)",),
+        ),
+        Stage.FRAMER,
+        joined.with_numbers_at_verbs,
+    ),
+    TreePass(
         "manners_joined",
         "Attach a manner to its verb that is joined like a deed.",
         Example(

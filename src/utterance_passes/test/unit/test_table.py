@@ -40,7 +40,7 @@ ORDER = (
     "gerunds_as_nouns names_as_verbs nouns_behind_verbs contracted_verbs verbs_of_conditions "
     "verbs_of_questions resulting_states properties_of_pronouns one_object particle_predicates verb_compounds "
     "relative_subjects infinitive_conjuncts reroot objection restarts corrections emphatic_do places_of_turns "
-    "particles_at_verbs manners_joined conditions_joined conditions_of_hearers bounds_of_messages "
+    "particles_at_verbs numbers_at_verbs manners_joined conditions_joined conditions_of_hearers bounds_of_messages "
     "phrases_behind_joints deeds_joined deadlines_joined remarks_joined copulas_at_question_words "
     "prepositions_of_nouns words_said phrases_in_a_row places_of_what_fails places_of_what_there_is "
     "places_over_here shared_nouns clothes_at_persons words_set_off deeds_behind_questions modals_as_nouns "
