@@ -18,6 +18,7 @@ _HANDS = word_class("hands")
 _HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE = word_class("indefinite_articles")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+_NOT = word_class("not")
 _ONES = word_class("noun_standins")
 #: Relations of "one" to the thing, or to its verb.
 _OF_ITEMS = frozenset(["conj", "parataxis"])
@@ -228,12 +229,12 @@ def with_things_named_again(tree: DependencyTree, _: Vocabulary) -> DependencyTr
 
 
 def _named_before(tree: DependencyTree, one: Word) -> Optional[Word]:
-    """Return the thing before "one" that it is; None if it is another thing, or one of a list."""
+    """Return the thing before "one" that it is; None if it is another thing, one of a list, or not meant."""
     children = tree.children(one.index)
     forms = [child.form.lower() for child in children if child.index < one.index]
     joining = [child.form.lower() for child in children if child.deprel == "cc"]
     is_described = "the" in forms or any(child.deprel == "amod" for child in children)
-    if not is_described or joining not in ([], ["but"]) or not (joining or "," in forms):
+    if not is_described or joining not in ([], ["but"]) or not (joining or "," in forms) or _NOT & frozenset(forms):
         return None
     head = tree.word(one.head)
     objects = [child for child in tree.children(head.index) if child.deprel == "obj" and child.index < one.index]

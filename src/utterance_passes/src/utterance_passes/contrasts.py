@@ -65,36 +65,39 @@ def _with_kinds_left_out(tree: DependencyTree) -> DependencyTree:
     """
     edit = TreeEdit(tree)
     for left_out in tree.words:
-        if left_out.form.lower() not in _STANDINS or left_out.deprel not in _OF_PHRASES or not left_out.head:
+        denying = _denying_of_kind(tree, left_out)
+        things = _things_like(tree, left_out) if denying else []
+        if len(things) != 1 or _is_property_said(tree, things):
             continue
-        own = tree.children(left_out.index)
-        denying = [one for one in own if one.form.lower() in _NOT and one.index == min(_inside(tree, left_out))]
-        thing = _thing_before(tree, left_out)
-        is_described = any(one.deprel.split(":")[0] in ("amod", "nmod", "acl") for one in own)
-        if thing is None or not denying or not is_described:
-            continue
-        for word in own:
+        for word in tree.children(left_out.index):
             if word in denying or word.form.lower() in _EXCEPTIONS:
                 edit.retag(word.index, "ADP", "IN")
                 edit.relabel(word.index, "case")
-        edit.rehang(left_out.index, thing.index, "nmod")
+        edit.rehang(left_out.index, things[0].index, "nmod")
     return edit.tree()
 
 
-def _inside(tree: DependencyTree, word: Word) -> FrozenSet[int]:
-    """Return the words of a phrase without what joins it to others."""
-    joints = {one.index for one in tree.children(word.index) if one.deprel in ("punct", "cc", "case")}
-    return tree.subtree(word.index) - joints
+def _denying_of_kind(tree: DependencyTree, word: Word) -> List[Word]:
+    """Return the "not" that begins a described phrase without its noun: "*not* the red one"; none for others."""
+    if word.form.lower() not in _STANDINS or word.deprel not in _OF_PHRASES or not word.head:
+        return []
+    own = tree.children(word.index)
+    joints = {one.index for one in own if one.deprel in ("punct", "cc", "case")}
+    first = min(tree.subtree(word.index) - joints)
+    is_described = any(one.deprel.split(":")[0] in ("amod", "nmod", "acl") for one in own)
+    return [one for one in own if one.form.lower() in _NOT and one.index == first] if is_described else []
 
 
-def _thing_before(tree: DependencyTree, left_out: Word) -> Optional[Word]:
-    """Return the thing that one of its kind is left out of, the one above or the object; None if it is described."""
+def _things_like(tree: DependencyTree, left_out: Word) -> List[Word]:
+    """Return the things that a phrase without its noun may be one of: the one above, and those of the deed."""
     above = tree.word(left_out.head)
-    objects = [one for one in tree.children(above.index) if one.deprel == "obj" and one.index < left_out.index]
-    thing = next(iter([above] if above.upos == "NOUN" else objects), None)
-    if thing is None or any(one.deprel == "amod" for one in tree.children(thing.index)):
-        return None
-    return thing
+    of_deed = [one for one in tree.children(verb_above(tree, above).index) if one.deprel in ("obj", "obl")]
+    things = [one for one in of_deed if one.upos == "NOUN" and one.index < left_out.index]
+    return things if above.upos != "NOUN" or above in things else [*things, above]
+
+
+def _is_property_said(tree: DependencyTree, things: List[Word]) -> bool:
+    return any(child.deprel == "amod" for thing in things for child in tree.children(thing.index))
 
 
 def with_what_is_meant(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -157,12 +160,19 @@ def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for word in tree.words:
         is_side = word.deprel in ("advmod", "conj") and word.form.lower() in _OPPOSITE_SIDES
         is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
-        is_exception = any(one.deprel == "case" and one.form.lower() in _NOT for one in tree.children(word.index))
-        if not (is_side or is_phrase) or is_exception or not _is_contrast(tree, word):
+        if not (is_side or is_phrase) or _is_left_out(tree, word) or not _is_contrast(tree, word):
             continue
         for index in tree.subtree(word.index):
             edit.rehang(index, word.head, ASIDE)
     return edit.tree()
+
+
+def _is_left_out(tree: DependencyTree, word: Word) -> bool:
+    """Whether a phrase leaves out one of a kind, "a cup, *not the red one*"; of which thing may be open."""
+    is_exception = any(one.deprel == "case" and one.form.lower() in _NOT for one in tree.children(word.index))
+    return is_exception or (
+        bool(_denying_of_kind(tree, word)) and not _is_property_said(tree, _things_like(tree, word))
+    )
 
 
 def _is_contrast(tree: DependencyTree, word: Word) -> bool:
