@@ -130,8 +130,8 @@ def hear(
     elif is_of_another:
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
-    sentence = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
-    last = last_command(outcome, heard.context.last, said_s, sentence)
+    said = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
+    last = last_command(outcome, heard.context.last, said_s, said)
     asked = _last_question(heard, said_s)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:

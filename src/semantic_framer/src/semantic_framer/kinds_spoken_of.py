@@ -1,6 +1,7 @@
 """Things of a kind that was spoken of: "one", "the red one", "two", "some"."""
 
 from dataclasses import replace
+from typing import Optional
 
 from phrase_meanings.arguments import of_same_kind
 from phrase_meanings.head_words import ONES
@@ -35,17 +36,19 @@ def number_alone(value: TypedArgument) -> int:
     return number if number is not None and number > 0 and value.positions and value.measure is None else 0
 
 
-def so_many(value: TypedArgument, count: int, thing: TypedArgument) -> TypedArgument:
-    """Return so many things of the kind that was spoken of: "are there apples?", "bring me two".
+def so_many(value: TypedArgument, count: Optional[int], thing: TypedArgument) -> TypedArgument:
+    """Return so many things of the kind that was spoken of: "are there apples?", "bring me two", "bring me some".
 
     Args:
-        value: the number alone
-        count: its value
+        value: the number or the amount alone
+        count: its value; None for an amount that is no number
         thing: what was spoken of
     """
     kind = of_same_kind(value, thing)
-    noun = plural_of(kind.lemma) if count > 1 else kind.lemma
-    return value if kind is value else replace(kind, text=f"{value.text} {noun}", count=count, is_plural=count > 1)
+    is_counted = thing.is_plural or thing.quantifier == "a" or thing.count is not None
+    is_plural = is_counted if count is None else count > 1
+    noun = plural_of(kind.lemma) if is_plural else kind.lemma
+    return replace(kind, text=f"{value.text} {noun}", count=count, is_plural=is_plural)
 
 
 def of_the_same_kind(value: TypedArgument, kind: TypedArgument) -> TypedArgument:
@@ -64,16 +67,3 @@ def of_the_same_kind(value: TypedArgument, kind: TypedArgument) -> TypedArgument
 def is_some(value: TypedArgument) -> bool:
     """Whether a phrase names an amount without its noun: "bring me *some*"."""
     return value.text.lower() in _SOME and bool(value.positions)
-
-
-def so_much(value: TypedArgument, thing: TypedArgument) -> TypedArgument:
-    """Return an amount of what was spoken of: "is there any milk?", "bring me some".
-
-    Args:
-        value: the amount alone
-        thing: what was spoken of
-    """
-    kind = of_same_kind(value, thing)
-    is_counted = thing.is_plural or thing.quantifier == "a" or thing.count is not None
-    noun = plural_of(kind.lemma) if is_counted else kind.lemma
-    return value if kind is value else replace(kind, text=f"{value.text} {noun}", is_plural=is_counted)

@@ -66,7 +66,7 @@ def with_news(clauses: Clauses, sentence: Sentence, joints: Joints, known: Frame
     news = [(joint.condition, joint.kind) for joint in joints.found if joint.condition and joint.kind in _TOLD]
     if len(news) != 1:
         return clauses
-    (condition, kind), *_ = news
+    condition, kind = news[0]
     said = (condition.words or sentence.text(sorted(condition.positions))).strip(" ,.!?")
     if kind is LinkKind.UNLESS:
         said = _denied(said)

@@ -17,7 +17,6 @@ from semantic_framer.kinds_spoken_of import (
     number_alone,
     of_the_same_kind,
     so_many,
-    so_much,
 )
 from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
@@ -75,6 +74,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
     if container is not None and len(things) > 1:
         # "Take the spoon, open the box and put it in there."
         place, things = container, tuple(thing for thing in things if thing != container)
+    kind = things[0].phrases[0] if things and things[0].phrases else None
     for value in reading.arguments:
         element = frame.element(value.name)
         amount, word = _pronoun_in(value.text.lower())
@@ -109,11 +109,10 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         elif things and element is not None and element.framenet not in CONTENTS and is_one_more(value):
             if is_one_in_order(value) and len({thing.noun for thing in things}) > 1:
                 return value
-            value = of_the_same_kind(value, things[0].phrases[0]) if things[0].phrases else value
-        elif things and element is not None and element.framenet in THINGS and (count := number_alone(value)):
-            value = so_many(value, count, things[0].phrases[0]) if things[0].phrases else value
-        elif things and things[0].phrases and element is not None and element.framenet in THINGS and is_some(value):
-            value = so_much(value, things[0].phrases[0])
+            value = of_the_same_kind(value, kind) if kind is not None else value
+        elif kind is not None and element is not None and element.framenet in THINGS:
+            count = number_alone(value)
+            value = so_many(value, count or None, kind) if count or is_some(value) else value
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
 

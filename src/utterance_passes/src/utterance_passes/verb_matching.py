@@ -43,7 +43,7 @@ def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[st
             index
             for index in sorted(clause.positions)
             if index > after
-            and tree.word(index).form.lower() == particle
+            and _form(tree, index) == particle
             and (index == after + 1 or tree.word(index).deprel in _PARTICLES)
             and (index == after + 1 or _is_near(tree, clause, index))
         ]
