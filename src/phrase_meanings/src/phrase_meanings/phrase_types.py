@@ -84,6 +84,12 @@ class PhraseTypes:
         joined = [child.index for child in self._tree.children(head) if child.deprel == "conj"]
         return (head, *(index for index in joined if not shares_noun(self._tree, index, head)))
 
+    def is_name_of_being(self, index: int) -> bool:
+        """Whether a word is the name of a person or an animal, if anything is known about it."""
+        is_name = self._tree.word(index).upos == "PROPN"
+        likeliest = self.likeliest(index) if is_name else ""
+        return bool(likeliest) and "Sentient" in with_parents(likeliest)
+
     def word(self, index: int) -> str:
         """Return a word as it was said."""
         return self._tree.word(index).form

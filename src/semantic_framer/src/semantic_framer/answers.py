@@ -9,11 +9,12 @@ from semantic_framer.attachment import is_direction, words_before_amount
 from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.clock_times import clock_time_at
-from semantic_framer.dialogue import Pending, is_ignorant, is_indifferent, is_yes
+from semantic_framer.dialogue import PRONOUNS, Pending, is_ignorant, is_indifferent, is_yes
 from semantic_framer.fragments import answering_words
 from semantic_framer.frame_roles import DIRECTION, GOAL, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
@@ -81,7 +82,11 @@ def answer(
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
         frame = known.frames[reading.unit.frame_name]
-        name = name if pending.offered else _element_meant(sentence, reading, name)
+        name = name if pending.offered else _element_meant(sentence, reading, name, known)
+        # "Give Bob." - "To Anna." says two persons who get something, and not what.
+        before = reading.argument(name) if name not in pending.elements else None
+        if before is not None and before.text.lower() not in PRONOUNS | PERSONAL_PRONOUNS:
+            continue
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
         asked = reading.argument(name)
@@ -181,19 +186,21 @@ def _values(
     return values
 
 
-def _element_meant(sentence: Sentence, reading: Reading, name: str) -> str:
-    """Return the element that an answer names by its preposition, otherwise the one that was asked for: "what should I
-    bring?" - "*to* Anna"."""
+def _element_meant(sentence: Sentence, reading: Reading, name: str, known: FramedLexicon) -> str:
+    """Return the element that an answer names by its preposition, in the unit of a reading or another one of its verb
+    and frame, otherwise the one that was asked for: "what should I bring?" - "*to* Anna"."""
     answering = answering_words(sentence.tree)
     heads = [index for index in answering if sentence.word(index).head not in answering]
     cases = [child for head in heads[:1] for child in sentence.children(head) if child.deprel == "case"]
     said = [child.form.lower() for child in cases if child.index in answering]
-    marked = [
-        relation.name
-        for relation in reading.unit.relations
-        if any(path.preposition in said for path in relation.relations)
-    ]
-    return name if name in marked else next(iter(marked), name)
+    others = (unit for unit in known.lexicon.units_of(reading.verb) if unit.frame_name == reading.unit.frame_name)
+    for unit in (reading.unit, *others) if said else ():
+        marked = [
+            relation.name for relation in unit.relations if any(path.preposition in said for path in relation.relations)
+        ]
+        if marked:
+            return name if name in marked else marked[0]
+    return name
 
 
 def _is_all_said(sentence: Sentence, values: List[TypedArgument], is_strict: bool) -> bool:

@@ -219,9 +219,11 @@ def is_wisher(filled: Filled) -> bool:
 
 
 def is_degree(filled: Filled) -> bool:
-    """Whether a degree or a time is taken for a thing: "move a bit", "wait a moment", but not "a bit of bread"."""
+    """Whether a degree or a time is taken for a thing: "move a bit", "wait a moment", but not "a bit of bread" or "the
+    dog's hair".
+    """
     children = filled.tree.children(filled.head.index)
-    is_of_something = any(child.deprel == "nmod" for child in children)
+    is_of_something = any(child.deprel in ("nmod", "nmod:poss", "compound") for child in children)
     # "Ask him not to touch it" has a verb.
     is_measure = filled.head.upos != "VERB" and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS
     return bool(filled.roles) and is_measure and not is_of_something

@@ -1,7 +1,7 @@
 """Settles the readings of a sentence: resolves pronouns, and refuses or asks if something is still open."""
 
 from dataclasses import dataclass, replace
-from typing import List, Optional, Tuple, Union
+from typing import List, Optional, Sequence, Tuple, Union
 
 from referring_expressions import unknown_of
 from roboframenet_ros.spoken_text import join_with_and, join_with_or
@@ -39,6 +39,8 @@ from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
+#: A person can keep so many types of things in mind.
+_MOST_TYPES_NAMED = 3
 
 
 @dataclass(frozen=True)
@@ -269,10 +271,16 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
 def _wrong_types(reading: Reading) -> List[str]:
     """Return a sentence for each value of another type than its element: what it is, and what it should be."""
     return [
-        f'For me, "{wrong.words}" is {SEMANTIC_TYPES[wrong.found].words}, '
-        f"not {' or '.join(SEMANTIC_TYPES[name].words for name in wrong.accepted)}."
+        f'For me, "{wrong.words}" is {SEMANTIC_TYPES[wrong.found].words}{_instead_of(wrong.accepted)}.'
         for wrong in reading.wrong_types
     ]
+
+
+def _instead_of(accepted: Sequence[str]) -> str:
+    """Return what a value should be; nothing where that is nearly everything."""
+    if len(accepted) > _MOST_TYPES_NAMED:
+        return ""
+    return ", not " + " or ".join(SEMANTIC_TYPES[name].words for name in accepted)
 
 
 def without_positions(clauses: Clauses) -> Clauses:
@@ -282,7 +290,9 @@ def without_positions(clauses: Clauses) -> Clauses:
 
 def _in_words(reading: Reading) -> str:
     """Return a clause as it was said, or its verb and arguments where a pronoun stands for something else."""
-    spoken = [value for value in reading.arguments if value.positions and value.text.lower() not in _HEARERS]
+    verb = frozenset(reading.verb_positions)
+    own = (value for value in reading.arguments if value.positions and not verb.issuperset(value.positions))
+    spoken = [value for value in own if value.text.lower() not in _HEARERS]
     # "Five minutes" are "5 minutes" for a server.
     said = [value.words if value.measure is not None else value.text for value in spoken]
     clause = reading.clause_text

@@ -19,7 +19,7 @@ class TypedArguments(NamedTuple):
 
     Attributes:
         arguments: of several types of its words, each has the likeliest one that its frame element accepts
-        wrong: arguments whose words have none of the types of their frame element
+        wrong: arguments whose words have none of the types of their frame element, or, as a person's name, a rare one
         doubtful: elements whose words have one of the types in a rare sense only
     """
 
@@ -55,8 +55,9 @@ def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: 
             if likeliest != argument.semantic_type:
                 argument = replace(argument, semantic_type=likeliest)
             fit = types.fit(head, accepted)
-            if fit is Fit.WRONG:
-                items = types.items(head)
+            items = types.items(head)
+            # The saint's name is a place, too, but who says "open Peter" means the person.
+            if fit is Fit.WRONG or (fit is Fit.POSSIBLE and any(map(types.is_name_of_being, items))):
                 worst = max(items, key=lambda item: types.of(item).fit(accepted))
                 words = argument.text if len(items) == 1 else types.word(worst)
                 wrong.append(WrongType(argument.name, words, types.likeliest(worst), accepted))
