@@ -1,7 +1,7 @@
 """Makes the typed argument of a phrase: relation, quantifier, count, modifiers, parts and descriptions of its head."""
 
 from dataclasses import replace
-from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import of_same_kind
 from phrase_meanings.head_words import (
@@ -18,7 +18,7 @@ from phrase_meanings.head_words import (
 from phrase_meanings.meaning_file import shipped_meanings
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import EmbeddedFrame, TypedArgument
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import QUOTATION_MARKS, DependencyTree, Word
 from word_classes import word_class
 
 #: Relations of words at the front of a phrase that are not part of it.
@@ -350,7 +350,7 @@ def _extent(tree: DependencyTree, head: int, left_out: FrozenSet[int], attached:
         child.deprel == "cop" and child.index in positions for child in tree.children(head)
     )
     prepositions = frozenset() if is_clause else _prepositions(tree, head)
-    while len(positions) > 1 and tree.word(positions[-1]).upos == "PUNCT":
+    while len(positions) > 1 and tree.word(positions[-1]).upos == "PUNCT" and not _ends_quotation(tree, positions):
         positions.pop()
     while (
         len(positions) > 1
@@ -361,6 +361,12 @@ def _extent(tree: DependencyTree, head: int, left_out: FrozenSet[int], attached:
     if prepositions and positions and positions[0] < min(prepositions):
         prepositions |= frozenset(index for index in attached if index < min(prepositions))
     return _Extent(tuple(positions), prepositions)
+
+
+def _ends_quotation(tree: DependencyTree, positions: Sequence[int]) -> bool:
+    """Whether a phrase ends with a mark of a quotation that begins inside: 'the book "Gone with the wind"'."""
+    marks = [index for index in positions if tree.word(index).form in QUOTATION_MARKS]
+    return len(marks) % 2 == 0 and marks[-1:] == list(positions[-1:]) and marks[:1] != list(positions[:1])
 
 
 def _said_around(tree: DependencyTree, head: int) -> FrozenSet[int]:

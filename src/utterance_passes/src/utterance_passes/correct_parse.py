@@ -124,13 +124,19 @@ def _phrases_at(
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 
 
-@only_with("vocative")
+@only_with("vocative", "discourse")
 def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Turn a false vocative back into the end of the object: "push the blue robot".
+    """Turn a false vocative back into the end of the object, "push the blue robot", or the degree of the deed, "*half*
+    open the door".
 
     A true vocative is set off or comes at an end, and the phrase before it is complete without it.
     """
     edit = TreeEdit(tree)
+    first = tree.words[0]
+    is_outside = first.deprel in ("vocative", "discourse") and first.head == first.index + 1
+    if is_outside and first.form.lower() in _PARTS_OF_A_TURN:
+        edit.retag(first.index, "ADV", "RB")
+        edit.relabel(first.index, "advmod")
     for word in tree.words[2:]:
         before = tree.word(word.index - 1)
         determiners = [child for child in tree.children(word.index) if child.deprel in ("det", "nmod:poss")]

@@ -21,7 +21,8 @@ def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
     table" says how the command is to be carried out.
     """
     for position in _openings(tree):
-        is_correction = not _is_forbidden_too(tree, position) and not _is_of_command(tree, position, vocabulary)
+        is_of_first = _is_forbidden_too(tree, position) or _is_not_to_be_said(tree, position, vocabulary)
+        is_correction = not is_of_first and not _is_of_command(tree, position, vocabulary)
         if _begins_command(tree, position, vocabulary) and is_correction:
             opening = frozenset(range(1, position + 1))
             return set_aside(tree, opening, ASIDE, lambda word: is_verb(vocabulary, word))
@@ -69,6 +70,13 @@ def _is_of_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) 
         return False
     is_same = any(word.lemma.lower() == verb.lemma.lower() for word in tree.words[position:])
     return not is_same and (verb.lemma.lower() in _BY_THE_WAY or not is_verb(vocabulary, verb))
+
+
+def _is_not_to_be_said(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
+    """Whether what stands at a position is what nobody shall say: "don't say: *open the door*"."""
+    before = tree.words[:position]
+    is_saying = any(word.upos == "VERB" and vocabulary.speech_of(word.lemma.lower()) is not None for word in before)
+    return _forbids(tree, position) and is_saying and before[-1].form != ","
 
 
 def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:

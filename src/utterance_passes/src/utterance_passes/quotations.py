@@ -305,8 +305,13 @@ class _Quotation:
         return told
 
     def _between_marks(self) -> FrozenSet[int]:
-        marks = [word.index for word in self._tree.words if word.form in QUOTATION_MARKS and word.index >= self._start]
-        return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
+        inside: Set[int] = set()
+        for quoted in self._tree.between_marks:
+            between = self._tree.words[max(inside, default=min(quoted)) : min(quoted) - 1]
+            # 'Say "hello" *and* "goodbye".'
+            if min(quoted) > self._start and all(word.upos in ("CCONJ", "PUNCT") for word in between):
+                inside |= quoted.union(word.index for word in between if word.form not in QUOTATION_MARKS)
+        return frozenset(inside)
 
     def _governed(self) -> FrozenSet[int]:
         """Return the words that the verb governs and that belong to the message."""

@@ -13,6 +13,7 @@ from utterance_passes import (
     corrections,
     formulas,
     light_verbs,
+    mentioned_words,
     objections,
     quotations,
     reasons,
@@ -141,6 +142,16 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
 
 #: Remove the words that a person takes back; they run before all other passes of the framer.
 CORRECTION_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "mentioned_words",
+        "Make a noun phrase of a clause between quotation marks that is spoken of.",
+        Example(
+            'forget|VERB|0|root "|PUNCT|3|punct open|VERB|1|ccomp it|PRON|3|obj "|PUNCT|3|punct',
+            ("open: ccomp(forget) VERB/open -> obj(forget) NOUN/open", "it: obj(open) -> flat:quoted(open)"),
+        ),
+        Stage.FRAMER,
+        mentioned_words.with_mentioned_words,
+    ),
     TreePass(
         "objection",
         "Set aside the opening of a correction if a whole command follows.",

@@ -129,6 +129,13 @@ class DependencyTree:
         return frozenset(index for word in self.words if word.deprel == QUOTED for index in (word.index, word.head))
 
     @cached_property
+    def between_marks(self) -> Tuple[FrozenSet[int], ...]:
+        """Positions of the words between each pair of quotation marks, with or without a relation to what is said."""
+        marks = [word.index for word in self.words if word.form in QUOTATION_MARKS]
+        pairs = zip(marks[::2], marks[1::2])
+        return tuple(frozenset(range(first + 1, last)) for first, last in pairs if last > first + 1)
+
+    @cached_property
     def fillers(self) -> FrozenSet[int]:
         """Positions of words that people say only while they think: "um"."""
         return frozenset(word.index for word in self.words if is_filler(word.form))

@@ -1,0 +1,58 @@
+"""Makes noun phrases of words that are spoken of and not said to the hearer: "the password is *'open the door'*"."""
+
+from typing import FrozenSet
+
+from utterance_passes.tree import QUOTED, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+#: Who only says these around a quotation says the quotation.
+_AROUND = word_class("padding") | word_class("lead_in") | word_class("robots") | word_class("courtesies")
+_CLAUSES = frozenset(["acl", "acl:relcl", "advcl", "ccomp", "conj", "csubj", "parataxis", "xcomp"])
+_ADDRESSES = frozenset(["discourse", "vocative"])
+
+
+def with_mentioned_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make one noun phrase of each clause between quotation marks, beside which something else is said.
+
+    Its verb asks for nothing: neither "forget 'open the door'" nor "the password is 'open the door'" opens it. The
+    marks belong to what is between them.
+    """
+    quotations = tree.between_marks
+    if not quotations or not _says_more(tree, frozenset().union(*quotations)):
+        return tree
+    edit = TreeEdit(tree)
+    for inside in quotations:
+        head = next(word for word in map(tree.word, sorted(inside)) if word.head not in inside)
+        if any(tree.word(index).upos == "VERB" for index in inside):
+            _make_phrase(edit, tree, head, inside)
+        for mark in (min(inside) - 1, max(inside) + 1):
+            edit.rehang(mark, head.index, "punct")
+    return edit.tree()
+
+
+def _says_more(tree: DependencyTree, quoted: FrozenSet[int]) -> bool:
+    return any(
+        word.index not in quoted | tree.fillers
+        and word.upos != "PUNCT"
+        and word.form.lower() not in _AROUND
+        and word.deprel not in _ADDRESSES
+        for word in tree.words
+    )
+
+
+def _make_phrase(edit: TreeEdit, tree: DependencyTree, head: Word, inside: FrozenSet[int]) -> None:
+    for word in tree.words:
+        if word.index != head.index and word.index in inside:
+            edit.rehang(word.index, head.index, QUOTED)
+        elif word.head in inside and word.index not in inside:
+            is_copula = word.deprel.startswith("aux") and word.lemma.lower() == "be"
+            edit.rehang(word.index, head.index, "cop" if is_copula else "")
+    edit.retag(head.index, "NOUN", "NN")
+    if head.deprel in _CLAUSES and not _joins_nouns(tree, head):
+        edit.relabel(head.index, "obj")
+
+
+def _joins_nouns(tree: DependencyTree, word: Word) -> bool:
+    return word.deprel == "conj" and tree.word(word.head).upos in ("NOUN", "PROPN")
