@@ -24,12 +24,19 @@ def with_mentioned_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         return tree
     edit = TreeEdit(tree)
     for inside in quotations:
-        head = next(word for word in map(tree.word, sorted(inside)) if word.head not in inside)
+        head = _top(tree, inside)
         if any(tree.word(index).upos == "VERB" for index in inside):
             _make_phrase(edit, tree, head, inside)
         for mark in (min(inside) - 1, max(inside) + 1):
-            edit.rehang(mark, head.index, "punct")
+            if head.index not in tree.subtree(mark):
+                edit.rehang(mark, head.index, "punct")
     return edit.tree()
+
+
+def _top(tree: DependencyTree, inside: FrozenSet[int]) -> Word:
+    """Return the first word that is below no other one: the parser may have joined two of them by a word outside."""
+    below = frozenset().union(*(tree.subtree(index) - {index} for index in inside))
+    return tree.word(min(inside - below))
 
 
 def _says_more(tree: DependencyTree, quoted: FrozenSet[int]) -> bool:

@@ -8,6 +8,8 @@ from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
+#: Marks behind which something new begins.
+_ENDS = frozenset(",.;!?")
 _BY_THE_WAY = word_class("verbs_of_mishaps")
 _LEAD_IN = word_class("lead_in")
 _NOT = word_class("not")
@@ -76,7 +78,7 @@ def _is_not_to_be_said(tree: DependencyTree, position: int, vocabulary: Vocabula
     """Whether what stands at a position is what nobody shall say: "don't say: *open the door*"."""
     before = tree.words[:position]
     is_saying = any(word.upos == "VERB" and vocabulary.speech_of(word.lemma.lower()) is not None for word in before)
-    return _forbids(tree, position) and is_saying and before[-1].form != ","
+    return _forbids(tree, position) and is_saying and before[-1].form not in _ENDS
 
 
 def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:
