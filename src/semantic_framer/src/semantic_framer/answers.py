@@ -32,6 +32,7 @@ _ARTICLES = word_class("articles")
 _LEAD_IN = word_class("lead_in")
 #: What the hearer is asked to do or told begins with these: "to come home", "that dinner is ready".
 _BEFORE_MESSAGES = frozenset(["to", "that"])
+_PRONOUNS = PRONOUNS | PERSONAL_PRONOUNS
 _QUESTION_WORDS = word_class("question_words")
 #: The most words of a question about a question: "which one".
 _LONGEST_ASKED_BACK = 3
@@ -85,7 +86,7 @@ def answer(
         name = name if pending.offered else _element_meant(sentence, reading, name, known)
         # "Give Bob." - "To Anna." says two persons who get something, and not what.
         before = reading.argument(name) if name not in pending.elements else None
-        if before is not None and before.text.lower() not in PRONOUNS | PERSONAL_PRONOUNS:
+        if before is not None and before.text.lower() not in _PRONOUNS:
             continue
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)

@@ -55,9 +55,9 @@ def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: 
             if likeliest != argument.semantic_type:
                 argument = replace(argument, semantic_type=likeliest)
             fit = types.fit(head, accepted)
-            items = types.items(head)
             # The saint's name is a place, too, but who says "open Peter" means the person.
-            if fit is Fit.WRONG or (fit is Fit.POSSIBLE and any(map(types.is_name_of_being, items))):
+            if fit is Fit.WRONG or (fit is Fit.POSSIBLE and any(map(types.is_name_of_being, types.items(head)))):
+                items = types.items(head)
                 worst = max(items, key=lambda item: types.of(item).fit(accepted))
                 words = argument.text if len(items) == 1 else types.word(worst)
                 wrong.append(WrongType(argument.name, words, types.likeliest(worst), accepted))

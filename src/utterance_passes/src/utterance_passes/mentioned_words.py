@@ -40,8 +40,9 @@ def _top(tree: DependencyTree, inside: FrozenSet[int]) -> Word:
 
 
 def _says_more(tree: DependencyTree, quoted: FrozenSet[int]) -> bool:
+    unsaid = quoted | tree.fillers
     return any(
-        word.index not in quoted | tree.fillers
+        word.index not in unsaid
         and word.upos != "PUNCT"
         and word.form.lower() not in _AROUND
         and word.deprel not in _ADDRESSES
