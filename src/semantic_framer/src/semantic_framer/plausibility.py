@@ -82,9 +82,11 @@ def is_measure_elsewhere(filled: Filled) -> bool:
 
 
 def is_unread_elsewhere(filled: Filled) -> bool:
-    """Whether the words contain an amount that another unit asks for and that must not be acted on."""
+    """Whether the words contain an amount that another unit asks for and that must not be acted on. One that is an
+    amount here, too, has only the wrong unit there: "go left 90 degrees" is no distance."""
     unread = {position for other in filled.beside for amount in other.unread for position in amount.positions}
-    return not filled.reading.unread and bool(unread & frozenset(filled.value.positions))
+    is_amount = filled.value.measure or filled.reading.unread
+    return not is_amount and bool(unread & frozenset(filled.value.positions))
 
 
 def _measured(reading: Reading) -> FrozenSet[int]:

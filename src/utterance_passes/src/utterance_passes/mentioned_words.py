@@ -11,9 +11,10 @@ from word_classes import word_class
 _AROUND = word_class("padding") | word_class("lead_in") | word_class("robots") | word_class("courtesies")
 _CLAUSES = frozenset(["acl", "acl:relcl", "advcl", "ccomp", "conj", "csubj", "parataxis", "xcomp"])
 _ADDRESSES = frozenset(["discourse", "vocative"])
+_SAYING = word_class("saying_verbs")
 
 
-def with_mentioned_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def with_mentioned_words(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make one noun phrase of each clause between quotation marks, beside which something else is said.
 
     Its verb asks for nothing: neither "forget 'open the door'" nor "the password is 'open the door'" opens it. The
@@ -27,6 +28,7 @@ def with_mentioned_words(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         head = _top(tree, inside)
         if any(tree.word(index).upos == "VERB" for index in inside):
             _make_phrase(edit, tree, head, inside)
+            _join_to_word_before(edit, tree, head, inside, vocabulary)
         for mark in (min(inside) - 1, max(inside) + 1):
             if head.index not in tree.subtree(mark):
                 edit.rehang(mark, head.index, "punct")
@@ -60,6 +62,29 @@ def _make_phrase(edit: TreeEdit, tree: DependencyTree, head: Word, inside: Froze
     edit.retag(head.index, "NOUN", "NN")
     if head.deprel in _CLAUSES and not _joins_nouns(tree, head):
         edit.relabel(head.index, "obj")
+
+
+def _join_to_word_before(
+    edit: TreeEdit, tree: DependencyTree, head: Word, inside: FrozenSet[int], vocabulary: Vocabulary
+) -> None:
+    """Say what the phrase is of the word before it: "the file 'go home'", "the room called 'come in'", "to 'go home'"."""
+    before = next((word for word in reversed(tree.words[: min(inside) - 2]) if word.upos != "PUNCT"), None)
+    if before is None:
+        return
+    if before.index in tree.subtree(head.index):
+        if before.deprel in ("mark", "case") and before.head == head.index and head.deprel in _CLAUSES:
+            edit.relabel(before.index, "case")
+            edit.relabel(head.index, "obl")
+    elif before.upos == "NOUN" and not _is_told(tree, before, vocabulary):
+        edit.rehang(head.index, before.index, "appos")
+    elif before.deprel == "acl":
+        edit.rehang(head.index, before.index, "obj")
+
+
+def _is_told(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
+    """Whether a noun belongs to a verb of saying or of naming, which takes the quotation, too."""
+    verb = tree.word(word.head).lemma.lower() if word.head else ""
+    return verb in _SAYING or vocabulary.speech_of(verb) is not None
 
 
 def _joins_nouns(tree: DependencyTree, word: Word) -> bool:

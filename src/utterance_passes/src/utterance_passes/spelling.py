@@ -2,7 +2,7 @@
 
 import re
 import unicodedata
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Callable, List, Tuple, Union
 
@@ -16,7 +16,13 @@ _NUMBER = f"(?:{'|'.join(number_words())})"
 #: Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
 TRANSCRIBERS_MARK = re.compile(r"<[a-zA-Z _-]{1,30}>")
 APOSTROPHE = re.compile(r"[‘’ʼ`]")
-QUOTATION_MARK = re.compile(r"[“”]")
+_QUOTATION_MARK = re.compile(r"[“”«»]")
+#: Words between single marks: 'I'm here'. An apostrophe inside a word, or at the end of "dogs'", is no mark, nor is that
+#: of "pick 'em up".
+_SINGLE_MARKED = re.compile(
+    rf"(?<![\w'])'(?!(?:{'|'.join(word_list('elided_words'))})\b)(?=[^\W\d])((?:[^'\"]|(?<=\w)'(?=\w))*[^\s'\"])'(?!\w)",
+    re.IGNORECASE,
+)
 DASH = re.compile(r"[‐‑–—\u2212]")
 FRACTION_SIGN = re.compile(r"[¼½¾⅐-⅞]")
 FRACTION_SLASH = re.compile(r"(?<=\d)\u2044(?=\d)")
@@ -86,6 +92,12 @@ def replaced(
     pieces.append(spelling.text[position:])
     sources += spelling.origins[position:]
     return Spelling("".join(pieces), tuple(sources))
+
+
+def with_quotation_marks_alike(spelling: Spelling) -> Spelling:
+    """Write each quotation mark, also single ones, as \"."""
+    text = _SINGLE_MARKED.sub(r'"\1"', _QUOTATION_MARK.sub('"', spelling.text))
+    return replace(spelling, text=text)
 
 
 def written_out(spelling: Spelling) -> Spelling:

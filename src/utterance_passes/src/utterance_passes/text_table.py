@@ -31,7 +31,13 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
         " ",
     ),
     _text("apostrophes", "Write all apostrophes alike.", "Bob’s", "Bob's", spelling.APOSTROPHE, "'"),
-    _text("quotation_marks", "Write all quotation marks alike.", "“hi”", '"hi"', spelling.QUOTATION_MARK, '"'),
+    TextPass(
+        "quotation_marks",
+        "Write all quotation marks alike.",
+        Example("say “hi” and 'I'm here'", ('say "hi" and "I\'m here"',)),
+        Stage.PARSER,
+        spelling.with_quotation_marks_alike,
+    ),
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
     _text(
         "fraction_signs",
