@@ -151,7 +151,9 @@ class _Amending:
         if kind in PACES:
             return self._at_pace(PACES[kind])
         *before, last = (self._tree.word(index).form.lower() for index in self._fragment.positions)
-        if kind is FragmentKind.OPPOSITE or last in ONES or (before == ["the"] and last in _OPPOSITES):
+        if kind is FragmentKind.ONE_MORE:
+            found = self._counted()
+        elif kind is FragmentKind.OPPOSITE or last in ONES or (before == ["the"] and last in _OPPOSITES):
             found = self._of_a_side() or self._replaced()
         else:
             found = self._replaced() or self._counted() or self._behind_same_preposition() or self._read_behind_verb()
@@ -275,7 +277,7 @@ class _Amending:
     def _counted(self) -> Tuple[TypedArgument, ...]:
         """Return the only thing of the command, so many of it as the fragment says: "bring me a cup" - "*two*, please".
 
-        Nothing if the fragment is no number alone, or the command has an amount, or several things.
+        Nothing if it is no number alone, or the command has an amount or several things.
         """
         count = find_whole_number(self._tree.text_of(self._fragment.positions))
         things = [
@@ -284,7 +286,7 @@ class _Amending:
             for element in [self._frame.element(argument.name)]
             if element is not None and element.framenet in THINGS and self._is_noun_phrase(argument, element)
         ]
-        if not count or count < 0 or self._fragment.is_more or measured(self._reading, self._frame) or len(things) != 1:
+        if not count or count < 0 or measured(self._reading, self._frame) or len(things) != 1:
             return ()
         made = self._sentence.phrases.argument(things[0].name, self._fragment.positions[-1], left_out=self._left_out())
         return (replace(so_many(made, count, things[0]), relation=things[0].relation),)

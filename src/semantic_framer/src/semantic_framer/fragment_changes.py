@@ -1,6 +1,6 @@
 """What a fragment leads to: the changed command, a question, or a refusal; and which command the next one changes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional, Sequence
 
 from roboframenet_ros.spoken_text import join_with_or
@@ -23,6 +23,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.paces import PACES
 from semantic_framer.sentence import Sentence
+from typed_arguments import Source
 from utterance_passes.clauses import Clause
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -86,13 +87,17 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     if fragment is None:
         return None
     said = sentence.tree.text.strip(_MARKS)
+    unclear = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
     if context.last is None:
         # "Not so fast" is said to whatever runs.
         if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
             return None
-        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
-        return Change("asked. No command was said before it.", question)
+        return Change("asked. No command was said before it.", unclear)
     before = "; ".join(str(readings[0]) for readings in context.last.clauses)
+    one_more = _one_more(fragment, context.last) if fragment.kind is FragmentKind.ONE_MORE else fragment
+    if one_more is None:
+        return Change(f"asked. It may say how often or how much {before}.", unclear)
+    fragment = one_more
     found = amended(fragment, sentence, context.last, known)
     if len(found) > 1:
         options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
@@ -111,6 +116,19 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     note = f"{fragment.kind.value}: {before} -> {after}"
     is_doubtful = (fragment.is_asked and not is_question) or _is_manner_of_amount(fragment, clauses, known)
     return Change(note, clauses=clauses, wants_yes=is_doubtful)
+
+
+def _one_more(fragment: Fragment, last: LastCommand) -> Optional[Fragment]:
+    """Return "one more" as a repetition, or as one more of the things that were counted: "bring me two cups"; None if
+    it may mean either: "turn left 90 degrees", "turn around twice"."""
+    best = [readings[0] for readings in last.clauses]
+    said = [one for reading in best for one in reading.arguments if one.source is not Source.DEFAULT]
+    if any(one.measure is not None for one in said) or any(reading.control.count > 1 for reading in best):
+        return None
+    is_counted = any((one.count or 0) > 1 for one in said)
+    if is_counted:
+        return replace(fragment, positions=fragment.positions[:1])
+    return replace(fragment, kind=FragmentKind.REPEAT)
 
 
 def _is_question(last: Optional[LastCommand], known: FramedLexicon) -> bool:

@@ -7,6 +7,7 @@ class FragmentKind(Enum):
     """What a fragment does to the last command."""
 
     REPEAT = "repeats it"
+    ONE_MORE = "repeats it, or does one more of what it counts"
     MORE = "does as much again"
     BIT = "does a bit more"
     FASTER = "goes faster"

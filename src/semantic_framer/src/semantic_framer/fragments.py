@@ -33,6 +33,7 @@ KINDS = (
     "before_answers",
     "endings",
     "whole_command",
+    "one_more",
     "as_much_again",
     "a_bit_more",
     "faster",
@@ -83,6 +84,7 @@ class Fragment:
 _NEEDING_A_COMMAND = frozenset(
     [
         FragmentKind.REPEAT,
+        FragmentKind.ONE_MORE,
         FragmentKind.MORE,
         FragmentKind.BIT,
         FragmentKind.FASTER,
@@ -114,6 +116,7 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
     (kind, any_of(shipped_fragments()[name]))
     for kind, name in (
         (FragmentKind.REPEAT, "whole_command"),
+        (FragmentKind.ONE_MORE, "one_more"),
         (FragmentKind.MORE, "as_much_again"),
         (FragmentKind.BIT, "a_bit_more"),
         (FragmentKind.FASTER, "faster"),

@@ -84,13 +84,14 @@ def measured_elements(
             amount_of[unit_element] = amount
     # "Turn right five inches" gives a distance, but turning needs an angle.
     misplaced = tuple(amount for amount in free if amount.unit and amount.quantity in _OF_SPACE)
-    # "A bit" stands for an amount.
+    # "A bit" stands for an amount, except where the amount itself says what is done: "go left *90 degrees*".
     slight = slight_words(sentence.tree, positions - frozenset(verb_positions)) if not free else ()
     for relation, element, quantity in asking:
         is_open = relation.name not in amount_of and relation.name not in unread
         if misplaced and is_open and quantity.value in _OF_SPACE:
             unread[relation.name] = misplaced
-        assumed = slight_amount(slight, quantity.value) if is_open and element.unit_element else None
+        is_assumable = is_open and element.unit_element and not relation.is_required
+        assumed = slight_amount(slight, quantity.value) if is_assumable else None
         if assumed is not None:
             amount_of[relation.name] = amount_of[element.unit_element] = assumed
     return MeasuredElements(amount_of, unread)

@@ -5,7 +5,7 @@ robot puts the mug twice. The shape of the phrases shows the groups: phrase by p
 of the first.
 """
 
-from typing import FrozenSet, List, Sequence, Tuple
+from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.phrase_groups import JOINING, Group, Kind, Phrase, groups_of, tells_several, with_names_apart
@@ -45,7 +45,7 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
         for (phrase,) in pieces:
             edit.rehang(phrase.head, clause.verb, "obj")
         return [(clause.verb, frozenset([phrase.head])) for (phrase,) in pieces]
-    groups = with_names_apart(pieces) or _with_lists_as_one(pieces)
+    groups = _ways(tree, pieces) or with_names_apart(pieces) or _with_lists_as_one(pieces)
     first, others = groups[0], groups[1:]
     length = len(others[0]) if others else 0
     if length < 2 or len(first) < length:
@@ -129,6 +129,17 @@ def _hang(tree: DependencyTree, clause: Clause, model: Group, group: Group, edit
             if word.index != phrase.head and word.head not in inside:
                 edit.rehang(word.index, phrase.head)
         edit.rehang(phrase.head, governor, deprel)
+
+
+def _ways(tree: DependencyTree, groups: Sequence[Group]) -> Optional[List[Group]]:
+    """Return groups of a way and its measure, all in one order: "*two metres forward*, *left 90 degrees*"; None if one
+    of them is something else."""
+    ordered = [group[::-1] if group[0].kind is Kind.NOUN else group for group in groups]
+    is_way = all(
+        [phrase.kind for phrase in group] == [Kind.ADVERB, Kind.NOUN] and _is_measure(tree, group[1])
+        for group in ordered
+    )
+    return ordered if is_way else None
 
 
 def _is_measure(tree: DependencyTree, phrase: Phrase) -> bool:

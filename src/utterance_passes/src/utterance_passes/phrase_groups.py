@@ -108,7 +108,10 @@ def groups_of(tree: DependencyTree, clause: Clause) -> Optional[List[Group]]:
         the groups; None if the words contain anything else, such as a clause or a choice
     """
     left_out = tree.abandoned | tree.fillers
-    behind = [index for index in sorted(clause.positions - left_out) if index > clause.verb]
+    # A comma before another clause belongs to that one, wherever it stands.
+    last = max(clause.positions)
+    commas = frozenset(word.index for word in tree.words if word.form == "," and word.index < last)
+    behind = [index for index in sorted((clause.positions | commas) - left_out) if index > clause.verb]
     while behind and tree.word(behind[-1]).upos == "PUNCT":
         behind.pop()
     if not behind or tree.quoted & set(behind) or set(range(clause.verb + 1, behind[-1])) - set(behind) - left_out:
