@@ -26,6 +26,7 @@ _INDEFINITE_PERSONS = word_class("indefinite_persons")
 _ORDINALS = word_class("ordinals_in_order") | word_class("last_ordinals")
 _SIDES_OF_A_ROW = word_class("sides_of_a_row")
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_MARKINGS = word_class("markings")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -56,6 +57,8 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
         return False
     if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
+    if prepositions[0] in _OF_A_THING and word.lemma.lower() in _MARKINGS:
+        return True  # "the shirt *with blue stripes*"
     # "Hand the cup to the man *with the beard*".
     is_somebody = tree.word(head).upos == "NOUN" and is_person(tree.word(head))
     is_thing = word.upos != "PRON" and (is_somebody or not has_case(tree, tree.word(head)))
