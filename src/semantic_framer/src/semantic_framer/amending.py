@@ -275,10 +275,8 @@ class _Amending:
         return typed.arguments if is_one or not typed.wrong else ()
 
     def _counted(self) -> Tuple[TypedArgument, ...]:
-        """Return the only thing of the command, so many of it as the fragment says: "bring me a cup" - "*two*, please".
-
-        Nothing if it is no number alone, or the command has an amount or several things.
-        """
+        """Return the only thing of the command, so many of it as the fragment says: "bring me a cup" - "*two*, please";
+        nothing if it is no number alone, or the command has an amount or several things."""
         count = find_whole_number(self._tree.text_of(self._fragment.positions))
         things = [
             argument
