@@ -10,6 +10,8 @@ from semantic_framer.reading import Reading
 from semantic_framer.things import is_indefinite, is_no_thing
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.relation_names import MEASURE
+from spoken_quantities import find_whole_number
 from typed_arguments import TypedArgument
 from utterance_passes.persons import is_name_of_person
 from utterance_passes.tree import DependencyTree, Word
@@ -28,6 +30,7 @@ _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING = word_class("placing_prepositions") - {"between"}
 _QUESTION_WORDS = word_class("question_words")
 _SHARES = frozenset(["percent", "%"])
+_SINGULAR = frozenset(["NN", "NNP"])
 _SIDES = word_class("sides")
 _SOUGHT_OR_SAID = frozenset(["Sought_entity", MESSAGE])
 _SPEAKERS = word_class("speaker_objects")
@@ -78,6 +81,42 @@ def is_measure_elsewhere(filled: Filled) -> bool:
         not is_phrase
         and filled.head.index not in _measured(filled.reading)
         and any(filled.head.index in _measured(other) for other in filled.beside)
+    )
+
+
+def is_miscounted(reading: Reading, beside: Tuple[Reading, ...], tree: DependencyTree) -> bool:
+    """Whether a number above one counts a singular noun, and another unit, which does not take the noun, asks for an
+    amount: "turn right *90 image*"."""
+    counted = [
+        value.name
+        for value in reading.arguments
+        if value.head_position and value.measure is None and not value.relation
+        if tree.word(value.head_position).xpos in _SINGULAR
+        for child in tree.children(value.head_position)
+        if child.deprel == "nummod" and (find_whole_number(child.form) or 0) > 1
+    ]
+    return any(
+        path.steps[-1] == MEASURE
+        for name in counted
+        for other in beside
+        if other.argument(name) is None
+        for relation in other.unit.relations
+        for path in relation.relations
+    )
+
+
+def joins_unlisted_word(reading: Reading, tree: DependencyTree) -> bool:
+    """Whether only a comma joins a word that the unit lists to one that it does not list: "to your *right, photos* at
+    the door"."""
+    listed = {relation.name: relation.words for relation in reading.unit.relations if relation.words}
+    return any(
+        child.deprel == "conj"
+        and child.index in value.positions
+        and child.form.lower() not in listed[value.name]
+        and not any(below.deprel == "cc" for below in tree.children(child.index))
+        for value in reading.arguments
+        if value.name in listed and value.head_position in reading.listed
+        for child in tree.children(value.head_position)
     )
 
 

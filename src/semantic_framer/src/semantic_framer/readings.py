@@ -1,7 +1,7 @@
 """Finds the plausible readings of a clause, or the refusal that a person hears if there are none."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, Optional, Tuple, Union
+from typing import FrozenSet, Iterable, Optional, Tuple, Union
 
 from semantic_framer.control import ITERATION, kept_up, with_duration, with_times
 from semantic_framer.dialogue import Context
@@ -24,7 +24,6 @@ from semantic_framer.verdicts import (
     ClauseCase,
     ClauseVerdict,
     ReadingVerdict,
-    drop,
 )
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import TypedArgument
@@ -128,7 +127,7 @@ def _readings_of(of: Case, clause: Clause, trace: Optional[Trace]) -> ClauseRead
             return _refused(case, (), verdict, refusal, trace)
     plausible = kept = plausible_readings(case, trace)
     for reading_verdict in READING_VERDICTS:
-        kept = drop([reading_verdict], case, kept, kept, trace)
+        kept = _drop([reading_verdict], case, kept, kept, trace)
         refusal = None if kept else reading_verdict.refuse(case)
         if refusal is not None:
             return _refused(case, plausible, reading_verdict, refusal, trace)
@@ -155,6 +154,24 @@ def _refused(
     return ClauseReadings(case.clause, plausible, (), refusal)
 
 
+def _drop(
+    verdicts: Iterable[ReadingVerdict],
+    case: ClauseCase,
+    readings: Tuple[Reading, ...],
+    beside: Tuple[Reading, ...],
+    trace: Optional[Trace],
+) -> Tuple[Reading, ...]:
+    """Return the readings that no verdict drops."""
+    kept = []
+    for reading in readings:
+        verdict = next((verdict for verdict in verdicts if verdict.drops(case, reading, beside)), None)
+        if verdict is None:
+            kept.append(reading)
+        elif trace is not None:
+            trace.add(verdict.name, str(reading), "", f"dropped. {verdict.reason}", reading.verb_positions)
+    return tuple(kept)
+
+
 def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
     """Return the readings of a clause, best first, without implausible ones."""
     found = read_clause(case.sentence, case.clause, case.matches, case.of.known, trace)
@@ -171,10 +188,10 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
                 trace.add("phrases_left_over", str(after), "", f"left over: {case.sentence.text(words)}", words)
     if case.of.policy.left_over_words in CAREFUL:
         readings = tuple(_with_what_is_heeded(case, reading, trace) for reading in readings)
-    plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
+    plausible = _drop(PLAUSIBILITY, case, readings, readings, trace)
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)
-    kept = drop(DOMINATED, case, plausible, plausible, trace)
+    kept = _drop(DOMINATED, case, plausible, plausible, trace)
     said = ((reading, text + stated(reading.arguments)) for reading in kept)
     judged = (
         _with_extras(case, replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=words), trace)

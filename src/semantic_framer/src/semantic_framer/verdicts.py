@@ -1,7 +1,7 @@
 """Verdicts that refuse a clause or drop readings: each has a name and a reason, and they run in a fixed order."""
 
 from dataclasses import dataclass
-from typing import Callable, Iterable, Optional, Tuple
+from typing import Callable, Optional, Tuple
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer import plausibility
@@ -25,7 +25,6 @@ from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.inner_conditions import inner_condition
 from utterance_passes.measures import amounts_of
-from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
@@ -227,6 +226,16 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_measure_elsewhere),
     ),
     ReadingVerdict(
+        "miscounted",
+        'A number counts a singular noun though another unit asks for an amount: "turn right 90 image".',
+        lambda case, reading, beside: plausibility.is_miscounted(reading, beside, case.sentence.tree),
+    ),
+    ReadingVerdict(
+        "joined_to_a_listed_word",
+        'A listed word is joined to one that is not listed: "to your right, photos at the door".',
+        lambda case, reading, beside: plausibility.joins_unlisted_word(reading, case.sentence.tree),
+    ),
+    ReadingVerdict(
         "unread_elsewhere",
         'An amount that another unit asks for, and must not be acted on, is taken for a thing: "two or three metres".',
         _of_any_value(plausibility.is_unread_elsewhere),
@@ -422,21 +431,3 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
         "lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less
     ),
 )
-
-
-def drop(
-    verdicts: Iterable[ReadingVerdict],
-    case: ClauseCase,
-    readings: Tuple[Reading, ...],
-    beside: Tuple[Reading, ...],
-    trace: Optional[Trace],
-) -> Tuple[Reading, ...]:
-    """Return the readings that no verdict drops."""
-    kept = []
-    for reading in readings:
-        verdict = next((verdict for verdict in verdicts if verdict.drops(case, reading, beside)), None)
-        if verdict is None:
-            kept.append(reading)
-        elif trace is not None:
-            trace.add(verdict.name, str(reading), "", f"dropped. {verdict.reason}", reading.verb_positions)
-    return tuple(kept)

@@ -17,7 +17,8 @@ IN_ORDER = (
 def test_order() -> None:
     assert [verdict.name for verdict, _ in IN_ORDER] == (
         "asks_for_nothing another_time no_verb negated condition_without_verb unknown_verb "
-        "noun_of_another_verb measured_elsewhere unread_elsewhere asked_about_elsewhere "
+        "noun_of_another_verb measured_elsewhere miscounted joined_to_a_listed_word unread_elsewhere "
+        "asked_about_elsewhere "
         "number_is_no_place one_place two_phrases "
         "subject_of_a_question way_is_no_place wisher_is_not_sought degree_is_no_thing "
         "side_is_no_thing side_of_the_place_before deed_is_no_thing "

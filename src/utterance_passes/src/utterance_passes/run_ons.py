@@ -117,7 +117,9 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
     # Behind a time, the parser takes the verb for a noun: "at eight turn on the light".
     is_phrasal = following in _PARTICLES and (tags[position] == "VERB" or _is_time(said[:position]))
     # "I am hungry *go to the kitchen*", "turn right *head to the door*".
-    is_way = following in _TO and (tags[position] == "VERB" or (tags[position] == "NOUN" and tags[position - 1] == "ADV"))
+    is_way = following in _TO and (
+        tags[position] == "VERB" or (tags[position] == "NOUN" and tags[position - 1] == "ADV")
+    )
     return following in _OBJECTS or ((is_phrasal or is_way) and "".join(said[position + 2 : position + 3]) in _OBJECTS)
 
 
