@@ -84,7 +84,7 @@ def _named(word: Word) -> TypedArgument:
 def persons_meant(
     pronoun: TypedArgument, persons: Sequence[TypedArgument], *, may_be_described: bool = False
 ) -> Tuple[TypedArgument, ...]:
-    """Return whom "her" or "him" may stand for, each in the place of the pronoun.
+    """Return whom "her" or "him" may stand for, each in the place of the pronoun; "them" stands for the only person.
 
     Args:
         pronoun: an argument; any other one stands for itself
@@ -95,12 +95,12 @@ def persons_meant(
         several persons if it is open which one is meant; none if nobody fits, or somebody who does not count
     """
     word = pronoun.text.lower()
-    if word not in PERSONAL_PRONOUNS:
+    if word not in PERSONAL_PRONOUNS and (word != "them" or len({one.text.lower() for one in persons}) != 1):
         return ()
-    others = _FEMALE if word in _HE else _MALE
+    others = _FEMALE if word in _HE else _MALE if word in _SHE else frozenset()
     by_text: Dict[str, TypedArgument] = {one.text.lower(): one for one in persons}
     possible = [one for one in by_text.values() if one.lemma.lower() not in others]
-    if not may_be_described and not all(map(_is_name, possible)):
+    if (not may_be_described or word == "them") and not all(map(_is_name, possible)):
         return ()
     return tuple(
         replace(referring_to(pronoun, without_any_position(one)), relation=pronoun.relation) for one in possible

@@ -1,7 +1,7 @@
 """Settles the readings of a sentence: resolves pronouns, and refuses or asks if something is still open."""
 
 from dataclasses import dataclass, replace
-from typing import List, Optional, Sequence, Tuple, Union
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple, Union
 
 from referring_expressions import unknown_of
 from roboframenet_ros.spoken_text import join_with_and, join_with_or
@@ -32,13 +32,16 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of, unknown_arguments
 from semantic_frames.frame import UnknownPolicy
-from semantic_frames.semantic_type import SEMANTIC_TYPES
+from semantic_frames.semantic_type import SEMANTIC_TYPES, with_parents
 from typed_arguments import Source, TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
+_PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
+#: FrameNet's semantic type of persons.
+_PERSON = "Human"
 #: A person can keep so many types of things in mind.
 _MOST_TYPES_NAMED = 3
 
@@ -241,11 +244,14 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
             resolved.append(outcome)
             if outcome != reading:
                 now.write("references", str(reading), str(outcome))
-    if unresolved:
+    is_of_persons = all(value.text.lower() in _PERSONS_OR_THINGS for _, value in unresolved)
+    # "Greet the guests and take *them* to the hall" carries nothing: no thing was mentioned.
+    if unresolved and not (resolved and context.persons and is_of_persons):
         now.write("references", unresolved[0][1].text, "asked. It is not known what it stands for.")
         question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)
         return _Open(question, tuple(reading for reading, _ in unresolved), names)
+    resolved = _of_meant_type(resolved, context, now.known)
     best = resolved[0]
     if best.missing:
         names = tuple(reading.asked[0].name for reading in resolved)
@@ -266,6 +272,45 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
         if argument.referents:
             now.write("referents", argument.text, f"{', '.join(argument.referents)} ({argument.referent_count})")
     return tuple(reading for reading, others in referring if others is None)
+
+
+def _of_meant_type(resolved: List[Reading], context: Context, known: FramedLexicon) -> List[Reading]:
+    """Return the readings that take what their pronouns stand for: after "meet Anna", "take *them* to the hall" guides
+    a person, and after "find the boxes" it carries things. All of them if none does."""
+    persons = frozenset(
+        thing.text
+        for thing in context.things
+        if thing.phrases and all(phrase.semantic_type == _PERSON for phrase in thing.phrases)
+    )
+    is_person: Dict[Tuple[int, ...], bool] = {}
+    for reading in resolved:
+        for value in reading.arguments:
+            if value.source is Source.INFERRED and value.positions:
+                # The best reading says what is meant.
+                meant = [one.text for one in value.members] or [value.text]
+                is_person.setdefault(value.positions, persons.issuperset(meant))
+
+    def takes_what_is_meant(reading: Reading) -> bool:
+        accepted = {
+            value.positions: _accepted(reading, value.name, known)
+            for value in reading.arguments
+            if value.positions in is_person
+        }
+        return all(
+            not types
+            or bool(types & with_parents(_PERSON) if is_person[positions] else types - with_parents(_PERSON))
+            for positions, types in accepted.items()
+        )
+
+    return [reading for reading in resolved if takes_what_is_meant(reading)] or resolved
+
+
+def _accepted(reading: Reading, name: str, known: FramedLexicon) -> FrozenSet[str]:
+    """Return the semantic types that an element takes; none if it takes anything."""
+    relation = next((relation for relation in reading.unit.relations if relation.name == name), None)
+    element = known.frames[reading.unit.frame_name].element(name)
+    types = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
+    return frozenset(types)
 
 
 def _wrong_types(reading: Reading) -> List[str]:

@@ -11,6 +11,7 @@ from semantic_types import Fit
 from typed_arguments import TypedArgument
 from word_classes import word_class
 
+_PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 _THINGS = word_class("pronouns_of_things")
 
 
@@ -31,14 +32,17 @@ class TypedArguments(NamedTuple):
 def fit_of_relation(types: PhraseTypes, head: int, relation: ElementRelation) -> Fit:
     """Return how well words that a relation does not list fit it: the types that it asks for must be their usual ones.
 
-    Words without a type fit only a required relation, because otherwise the unit has a better place for them.
+    Words without a type, and pronouns that may have it, fit only a required relation, because otherwise the unit has a
+    better place for them.
     """
     if relation.is_for_persons and types.word(head).lower() in _THINGS:
         return Fit.WRONG
     if not relation.semantic_types:
         return Fit.WRONG if relation.words else Fit.LIKELY
     fit = types.fit(head, relation.semantic_types)
-    return fit if fit is Fit.LIKELY or (fit is Fit.UNKNOWN and relation.is_required) else Fit.WRONG
+    # "Take them to the hall" is guiding or carrying.
+    is_open = fit is Fit.UNKNOWN or (fit is Fit.POSSIBLE and types.word(head).lower() in _PERSONS_OR_THINGS)
+    return fit if fit is Fit.LIKELY or (is_open and relation.is_required) else Fit.WRONG
 
 
 def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: PhraseTypes) -> TypedArguments:

@@ -29,6 +29,7 @@ from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
+_PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 _RENEWING = word_class("renewing_conjunctions")
 
 
@@ -390,7 +391,9 @@ def _is_of_another_type(case: ClauseCase, reading: Reading, beside: Tuple[Readin
 
 
 def _is_of_a_doubtful_type(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    return not reading.missing and reading.doubtful_types > beside[0].doubtful_types
+    # "Take them to the hall": what was said before decides whether they are carried or guided.
+    is_open = any(value.text.lower() in _PERSONS_OR_THINGS for value in reading.arguments)
+    return not reading.missing and not is_open and reading.doubtful_types > beside[0].doubtful_types
 
 
 def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
