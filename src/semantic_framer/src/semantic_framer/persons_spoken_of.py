@@ -20,6 +20,7 @@ _HE, _SHE = word_class("male_pronouns"), word_class("female_pronouns")
 _OF_NAMES = frozenset(["compound", "flat", "nmod:desc"])
 #: Pronouns for a person who was named before.
 PERSONAL_PRONOUNS = _HE | _SHE
+_THEM = "them"
 _INDEFINITE = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
 _NO_NAMES = (
     PERSONAL_PRONOUNS
@@ -84,7 +85,8 @@ def _named(word: Word) -> TypedArgument:
 def persons_meant(
     pronoun: TypedArgument, persons: Sequence[TypedArgument], *, may_be_described: bool = False
 ) -> Tuple[TypedArgument, ...]:
-    """Return whom "her" or "him" may stand for, each in the place of the pronoun; "them" stands for the only person.
+    """Return whom "her" or "him" may stand for, each in the place of the pronoun; "them" may stand for the only
+    person, if that is named.
 
     Args:
         pronoun: an argument; any other one stands for itself
@@ -95,12 +97,13 @@ def persons_meant(
         several persons if it is open which one is meant; none if nobody fits, or somebody who does not count
     """
     word = pronoun.text.lower()
-    if word not in PERSONAL_PRONOUNS and (word != "them" or len({one.text.lower() for one in persons}) != 1):
+    by_text: Dict[str, TypedArgument] = {one.text.lower(): one for one in persons}
+    is_only_one = word == _THEM and len(by_text) == 1
+    if word not in PERSONAL_PRONOUNS and not is_only_one:
         return ()
     others = _FEMALE if word in _HE else _MALE if word in _SHE else frozenset()
-    by_text: Dict[str, TypedArgument] = {one.text.lower(): one for one in persons}
     possible = [one for one in by_text.values() if one.lemma.lower() not in others]
-    if (not may_be_described or word == "them") and not all(map(_is_name, possible)):
+    if (is_only_one or not may_be_described) and not all(map(_is_name, possible)):
         return ()
     return tuple(
         replace(referring_to(pronoun, without_any_position(one)), relation=pronoun.relation) for one in possible

@@ -277,11 +277,11 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
 def _of_meant_type(resolved: List[Reading], context: Context, known: FramedLexicon) -> List[Reading]:
     """Return the readings that take what their pronouns stand for: after "meet Anna", "take *them* to the hall" guides
     a person, and after "find the boxes" it carries things. All of them if none does."""
-    persons = frozenset(
+    persons = {one.text for one in context.persons} | {
         thing.text
         for thing in context.things
         if thing.phrases and all(phrase.semantic_type == _PERSON for phrase in thing.phrases)
-    )
+    }
     is_person: Dict[Tuple[int, ...], bool] = {}
     for reading in resolved:
         for value in reading.arguments:
@@ -297,8 +297,7 @@ def _of_meant_type(resolved: List[Reading], context: Context, known: FramedLexic
             if value.positions in is_person
         }
         return all(
-            not types
-            or bool(types & with_parents(_PERSON) if is_person[positions] else types - with_parents(_PERSON))
+            not types or bool(types & with_parents(_PERSON) if is_person[positions] else types - with_parents(_PERSON))
             for positions, types in accepted.items()
         )
 

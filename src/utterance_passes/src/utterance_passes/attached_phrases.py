@@ -28,6 +28,7 @@ _OF_WAYS = frozenset(["down", "up"])
 _PERSONS = word_class("pronouns_of_persons")
 _POINTING = word_class("demonstrative_determiners")
 _SIDES = word_class("sides_of_a_row")
+_FROM = frozenset(["from"])
 _TO = frozenset(["to"])
 _TO_PREPOSITIONS = word_class("to_prepositions")
 #: Nobody is brought all of "me".
@@ -152,6 +153,43 @@ def _attach_to_what_is_given(edit: TreeEdit, tree: DependencyTree, side: Word, c
     is_of_thing = any(_has_case(tree, child, frozenset(["of"])) for child in tree.children(side.index))
     if noun.deprel == "obj" and side.head == noun.head and has_receiver and is_of_thing:
         edit.rehang(side.index, noun.index, "nmod")
+
+
+@only_with("obl")
+def with_ways_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a source and the goal behind it to the verb that moves: "from the table *to the hall*" is no table to a
+    hall, and nobody raises an arm "*from the bed to the sofa*"."""
+    edit = TreeEdit(tree)
+    for source in tree.words:
+        if source.deprel != "obl" or not _has_case(tree, source, _FROM):
+            continue
+        beside = [*tree.children(source.index), *tree.children(source.head)]
+        goal = next((word for word in beside if _is_goal_behind(tree, word, source)), None)
+        if goal is None:
+            continue
+        verb = _moving_verb(tree, source)
+        for place in (source, goal):
+            if place.head != verb:
+                edit.rehang(place.index, verb, "obl")
+    return edit.tree()
+
+
+def _is_goal_behind(tree: DependencyTree, goal: Word, source: Word) -> bool:
+    # "From Monday to Friday" is one time; "from the left to the right" is no way.
+    is_place = goal.upos in _NOUNS and goal.form.lower() not in _SIDES and not any(goal.index in t for t in tree.times)
+    is_behind = goal.index > source.index and goal.deprel in ("nmod", "obl")
+    return is_behind and is_place and _has_case(tree, goal, _TO_PREPOSITIONS)
+
+
+def _moving_verb(tree: DependencyTree, source: Word) -> int:
+    """Return the verb that a way belongs to; not a participle that has an object or a goal of its own: "the man
+    *pointing to the right*"."""
+    participle = tree.word(source.head)
+    noun = tree.word(participle.head) if participle.deprel == "acl" else participle
+    before = [child for child in tree.children(participle.index) if child.index < source.index]
+    is_full = any(child.upos in _NOUNS and child.deprel in ("obj", "obl") for child in before)
+    is_of_verb = participle.deprel == "acl" and noun.head and tree.word(noun.head).upos == "VERB"
+    return noun.head if is_full and is_of_verb else participle.index
 
 
 @only_with("obj", "iobj")

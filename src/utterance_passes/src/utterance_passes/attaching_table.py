@@ -75,6 +75,16 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         attached_phrases.with_places_in_a_row,
     ),
     TreePass(
+        "ways_at_verbs",
+        'Attach a source and the goal behind it to the verb: "from the table to the hall".',
+        Example(
+            "go|VERB|0|root from|ADP|3|case table|NOUN|1|obl to|ADP|5|case hall|NOUN|3|nmod",
+            ("hall: nmod(table) -> obl(go)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_ways_at_verbs,
+    ),
+    TreePass(
         "wholes_at_pronouns",
         'Attach "all" or "both" to the pronoun before it.',
         Example(

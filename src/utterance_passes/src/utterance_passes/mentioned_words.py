@@ -67,7 +67,7 @@ def _make_phrase(edit: TreeEdit, tree: DependencyTree, head: Word, inside: Froze
 def _join_to_word_before(
     edit: TreeEdit, tree: DependencyTree, head: Word, inside: FrozenSet[int], vocabulary: Vocabulary
 ) -> None:
-    """Say what the phrase is of the word before it: "the file 'go home'", "the room called 'come in'", "to 'go home'"."""
+    """Make the phrase a part of what stands before it: "the file 'go home'", "the room called 'come in'"."""
     before = next((word for word in reversed(tree.words[: min(inside) - 2]) if word.upos != "PUNCT"), None)
     if before is None:
         return

@@ -17,10 +17,11 @@ _NUMBER = f"(?:{'|'.join(number_words())})"
 TRANSCRIBERS_MARK = re.compile(r"<[a-zA-Z _-]{1,30}>")
 APOSTROPHE = re.compile(r"[‘’ʼ`]")
 _QUOTATION_MARK = re.compile(r"[“”«»]")
-#: Words between single marks: 'I'm here'. An apostrophe inside a word, or at the end of "dogs'", is no mark, nor is that
-#: of "pick 'em up".
+#: Words between single marks: 'I'm here'. An apostrophe inside a word, or at the end of "dogs'", is no mark; nor is
+#: that of "pick 'em up".
 _SINGLE_MARKED = re.compile(
-    rf"(?<![\w'])'(?!(?:{'|'.join(word_list('elided_words'))})\b)(?=[^\W\d])((?:[^'\"]|(?<=\w)'(?=\w))*[^\s'\"])'(?!\w)",
+    rf"(?<![\w'])'(?!(?:{'|'.join(word_list('elided_words'))})\b)"
+    r"(?=[^\W\d])((?:[^'\"]|(?<=\w)'(?=\w))*[^\s'\"])'(?!\w)",
     re.IGNORECASE,
 )
 DASH = re.compile(r"[‐‑–—\u2212]")
