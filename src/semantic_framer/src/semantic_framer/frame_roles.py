@@ -7,6 +7,8 @@ TELLING = "Telling"
 STOPPING = "Halt"
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
+#: Who or what moves along with the robot.
+COTHEME = "Cotheme"
 THEME = "Theme"
 NAME = "Name"
 GOAL = "Goal"
@@ -31,7 +33,7 @@ NO_THINGS: FrozenSet[str] = frozenset(
 )
 #: The verbs of these elements need no tool or company, so a phrase with "with" describes the element.
 DESCRIBED: FrozenSet[str] = frozenset(
-    ["Cotheme", "Category", "Item", "Sought_entity", "Recipient", "Beneficiary", ADDRESSEE]
+    [COTHEME, "Category", "Item", "Sought_entity", "Recipient", "Beneficiary", ADDRESSEE]
 )
 DIRECTION = "Direction"
 OPERATIONAL_STATE = "Operational_state"

@@ -8,7 +8,7 @@ from phrase_meanings.arguments import of_same_kind, resolved
 from phrase_meanings.head_words import ONES
 from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context, Thing
-from semantic_framer.frame_roles import CONTAINER, CONTENTS, NO_THINGS, PLACES, SAID, THINGS, part_of
+from semantic_framer.frame_roles import CONTAINER, CONTENTS, COTHEME, NO_THINGS, PLACES, SAID, THINGS, part_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.kinds_spoken_of import (
     is_one_in_order,
@@ -93,7 +93,11 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             is_of_several = value.text.lower() != word and amount not in _PARTS
             is_thing = place is not None and not place.is_asked_about and not is_of_several
             meant = _meant_by(word, things, place if is_thing else None, accepted, part, known.types)
-            if meant is not None:
+            is_followed = element is not None and element.framenet == COTHEME and word in _THEM
+            if is_followed and meant is not None and context.persons and _is_lifeless(meant, known.types):
+                # "Give Bob the cup and Anna the plate, then follow *them*": neither cup nor plate.
+                value = next(iter(persons_meant(value, context.persons)), value)
+            elif meant is not None:
                 text = part_of_text(amount, meant.text) if amount else meant.text
                 value = resolved(value, text, () if amount else meant.phrases)
             elif value.text.lower() not in _WHOLE:
@@ -192,6 +196,13 @@ def _meant_by(
     if is_plural and not of_number and thing is not None:
         return _together(things, thing)
     return thing or place
+
+
+def _is_lifeless(thing: Thing, types: WordTypes) -> bool:
+    """Whether a thing is no living being; "Bob" is none of the nouns of that spelling."""
+    named = (phrase.semantic_type for phrase in thing.phrases if phrase.semantic_type)
+    is_alive = any(with_parents(semantic_type) >= _PERSONS for semantic_type in named)
+    return not is_alive and types.of_noun([thing.noun]).fit(["Sentient"]) is Fit.WRONG
 
 
 def _together(things: Sequence[Thing], last: Thing) -> Thing:
