@@ -13,7 +13,7 @@ from utterance_passes.tree import Word
 from word_classes import word_class
 
 #: FrameNet's semantic type of persons.
-_PERSON = "Human"
+PERSON = "Human"
 _MALE, _FEMALE = word_class("male_persons"), word_class("female_persons")
 _HE, _SHE = word_class("male_pronouns"), word_class("female_pronouns")
 #: Relations of a part of a name to its first or its last word: "*Dr.* Smith", "Anna *Smith*".
@@ -73,13 +73,13 @@ def _word_said(position: int, words: str, sentence: Sentence) -> Optional[Word]:
 def _is_person(argument: TypedArgument, sentence: Sentence) -> bool:
     """Whether an argument is a person; a name of which nothing is known may be one."""
     if argument.semantic_type:
-        return argument.semantic_type == _PERSON
+        return argument.semantic_type == PERSON
     head = _word_said(argument.head_position, argument.words, sentence)
     return head is not None and is_name_of_person(head)
 
 
 def _named(word: Word) -> TypedArgument:
-    return TypedArgument(text=word.form, head=word.form, lemma=word.lemma, semantic_type=_PERSON)
+    return TypedArgument(text=word.form, head=word.form, lemma=word.lemma, semantic_type=PERSON)
 
 
 def persons_meant(

@@ -21,6 +21,7 @@ from semantic_framer.kinds_spoken_of import (
 from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from semantic_framer.type_fits import accepted_types
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
@@ -86,7 +87,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
         is_fixed = is_fixed or (element is not None and word in _THEM and frozenset(element.semantic_types) == _PERSONS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
-            accepted = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
+            accepted = accepted_types(reading, value.name, frame)
             part = part_of(element.framenet) if element else ""
             # "What is on the table?" "Put it all on the shelf.": not the table.
             # "The front of it" is a part of a place, too.

@@ -1,7 +1,7 @@
 """Settles the readings of a sentence: resolves pronouns, and refuses or asks if something is still open."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple, Union
+from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 from referring_expressions import unknown_of
 from roboframenet_ros.spoken_text import join_with_and, join_with_or
@@ -25,10 +25,11 @@ from semantic_framer.outcome import (
     Understood,
     left_over_refusal,
 )
-from semantic_framer.persons_spoken_of import whom_is_meant
+from semantic_framer.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.reading import Reading
 from semantic_framer.references import noun_phrase, remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
+from semantic_framer.type_fits import accepted_types
 from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of, unknown_arguments
 from semantic_frames.frame import UnknownPolicy
@@ -40,8 +41,6 @@ from word_classes import word_class
 
 _HEARERS = word_class("hearers")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
-#: FrameNet's semantic type of persons.
-_PERSON = "Human"
 #: A person can keep so many types of things in mind.
 _MOST_TYPES_NAMED = 3
 
@@ -280,7 +279,7 @@ def _of_meant_type(resolved: List[Reading], context: Context, known: FramedLexic
     persons = {one.text for one in context.persons} | {
         thing.text
         for thing in context.things
-        if thing.phrases and all(phrase.semantic_type == _PERSON for phrase in thing.phrases)
+        if thing.phrases and all(phrase.semantic_type == PERSON for phrase in thing.phrases)
     }
     is_person: Dict[Tuple[int, ...], bool] = {}
     for reading in resolved:
@@ -292,24 +291,16 @@ def _of_meant_type(resolved: List[Reading], context: Context, known: FramedLexic
 
     def takes_what_is_meant(reading: Reading) -> bool:
         accepted = {
-            value.positions: _accepted(reading, value.name, known)
+            value.positions: frozenset(accepted_types(reading, value.name, known.frames[reading.unit.frame_name]))
             for value in reading.arguments
             if value.positions in is_person
         }
         return all(
-            not types or bool(types & with_parents(_PERSON) if is_person[positions] else types - with_parents(_PERSON))
+            not types or bool(types & with_parents(PERSON) if is_person[positions] else types - with_parents(PERSON))
             for positions, types in accepted.items()
         )
 
     return [reading for reading in resolved if takes_what_is_meant(reading)] or resolved
-
-
-def _accepted(reading: Reading, name: str, known: FramedLexicon) -> FrozenSet[str]:
-    """Return the semantic types that an element takes; none if it takes anything."""
-    relation = next((relation for relation in reading.unit.relations if relation.name == name), None)
-    element = known.frames[reading.unit.frame_name].element(name)
-    types = (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
-    return frozenset(types)
 
 
 def _wrong_types(reading: Reading) -> List[str]:

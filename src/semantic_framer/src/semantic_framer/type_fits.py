@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, Iterable, List, NamedTuple, Tuple
 
 from phrase_meanings.phrase_types import PhraseTypes
-from semantic_framer.reading import WrongType
+from semantic_framer.reading import Reading, WrongType
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation
 from semantic_types import Fit
@@ -43,6 +43,14 @@ def fit_of_relation(types: PhraseTypes, head: int, relation: ElementRelation) ->
     # "Take them to the hall" is guiding or carrying.
     is_open = fit is Fit.UNKNOWN or (fit is Fit.POSSIBLE and types.word(head).lower() in _PERSONS_OR_THINGS)
     return fit if fit is Fit.LIKELY or (is_open and relation.is_required) else Fit.WRONG
+
+
+def accepted_types(reading: Reading, name: str, frame: SemanticFrame) -> Tuple[str, ...]:
+    """Return the semantic types that the unit of a reading, or else its frame, accepts for an element; none if it
+    accepts anything."""
+    relation = next((relation for relation in reading.unit.relations if relation.name == name), None)
+    element = frame.element(name)
+    return (relation.semantic_types if relation else ()) or (element.semantic_types if element else ())
 
 
 def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: PhraseTypes) -> TypedArguments:
