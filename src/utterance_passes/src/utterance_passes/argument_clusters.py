@@ -12,8 +12,10 @@ from utterance_passes.phrase_groups import JOINING, Group, Kind, Phrase, groups_
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_argument_clusters
 from utterance_passes.vocabulary import Vocabulary
-from word_classes import word_list
+from word_classes import word_class, word_list
 
+#: "Go back one foot and six inches *now*" is one way.
+_DIRECTIONS = word_class("left_and_right") | word_class("forward_and_backward")
 _TURNS = tuple([side] for side in word_list("left_and_right"))
 _BEFORE_AN_OBJECT = frozenset(["DET", "ADJ", "NUM", "NOUN", "PROPN", "SYM"])
 
@@ -136,7 +138,9 @@ def _ways(tree: DependencyTree, groups: Sequence[Group]) -> Optional[List[Group]
     of them is something else."""
     ordered = [group[::-1] if group[0].kind is Kind.NOUN else group for group in groups]
     is_way = all(
-        [phrase.kind for phrase in group] == [Kind.ADVERB, Kind.NOUN] and _is_measure(tree, group[1])
+        [phrase.kind for phrase in group] == [Kind.ADVERB, Kind.NOUN]
+        and tree.word(group[0].head).form.lower() in _DIRECTIONS
+        and _is_measure(tree, group[1])
         for group in ordered
     )
     return ordered if is_way else None
