@@ -250,7 +250,8 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
         question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)
         return _Open(question, tuple(reading for reading, _ in unresolved), names)
-    resolved = _of_meant_type(resolved, context, now.known)
+    if len(resolved) > 1:
+        resolved = _of_meant_type(resolved, context, now.known)
     best = resolved[0]
     if best.missing:
         names = tuple(reading.asked[0].name for reading in resolved)

@@ -175,8 +175,8 @@ def with_ways_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_goal_behind(tree: DependencyTree, goal: Word, source: Word) -> bool:
-    # "From Monday to Friday" is one time; "from the left to the right" is no way.
-    is_place = goal.upos in _NOUNS and goal.form.lower() not in _SIDES and not any(goal.index in t for t in tree.times)
+    # "From the left to the right" is no way.
+    is_place = goal.upos in _NOUNS and goal.form.lower() not in _SIDES
     is_behind = goal.index > source.index and goal.deprel in ("nmod", "obl")
     return is_behind and is_place and _has_case(tree, goal, _TO_PREPOSITIONS)
 

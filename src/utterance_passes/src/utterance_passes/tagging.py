@@ -165,17 +165,13 @@ def sides_alone(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabular
             tag == "ADJ" and position > 1 and tags[position - 2] == "VERB" and behind in ("VERB", "CCONJ", "PUNCT")
         )
         # "Forward two metres" forwards nothing, nor does "turn left, *forward* two metres".
-        is_item = position > 1 and forms[position - 2] in (",", ";") and tags[0] == "VERB"
-        is_gone = (
-            tag == "VERB"
-            and (position == 1 or is_item or is_next)
-            and behind == "NUM"
-            and not vocabulary.verbs_beginning_with(form.lower())
-        )
+        is_item = is_next or (position > 1 and forms[position - 2] in (",", ";") and tags[0] == "VERB")
+        is_front_verb = tag == "VERB" and (is_item or position == 1)
+        is_gone = is_front_verb and behind == "NUM" and not vocabulary.verbs_beginning_with(form.lower())
         if (is_turned and form.lower() in _SIDES) or (is_gone and form.lower() in _WAYS):
             found.append(Retag(position, "ADV", "RB"))
-        if tag == "VERB" and form.lower() in _SIDES and (is_next or is_item or position == 1):
-            if behind == "PUNCT" or ((is_next or is_item) and behind == "NUM"):
+        if is_front_verb and form.lower() in _SIDES:
+            if behind == "PUNCT" or (is_item and behind == "NUM"):
                 found.append(Retag(position, "ADV", "RB"))
     return tuple(found)
 
