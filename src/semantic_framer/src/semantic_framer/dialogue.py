@@ -185,6 +185,8 @@ class Context:
         def is_old(one: Union[LastCommand, LastQuestion]) -> bool:
             return not 0.0 <= said_s - one.stamp_s <= timeout_s
 
+        if self.last is None and self.question is None and self.are_persons_of_before:
+            return self
         last = None if self.last is None or is_old(self.last) else self.last
         question = None if self.question is None or is_old(self.question) else self.question
         return replace(self, last=last, question=question, are_persons_of_before=True)

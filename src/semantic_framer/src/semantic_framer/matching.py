@@ -29,7 +29,7 @@ from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import is_setting, measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import Reading
-from semantic_framer.required_relations import lacks_all_required
+from semantic_framer.required_relations import TOWARDS, lacks_all_required, may_have
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
@@ -50,8 +50,6 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
-#: Relations of a goal: a place that the world makes one may have any preposition.
-_TOWARDS = frozenset(["prep_to", "prep_into", "prep_onto"])
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 
@@ -186,6 +184,8 @@ class _Filling:
         return name in self._heads or name in self._amount_of or name in self._numeral_of
 
     def _take_phrase(self, relation: ElementRelation) -> None:
+        if not any(may_have(self._sentence, path) for path in relation.relations):
+            return
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": the first place is meant, and the others describe it.
         static = [path for path in relation.relations if path.preposition.split("_")[0] in _PLACE_PREPOSITIONS]
@@ -276,7 +276,7 @@ class _Filling:
                 if number == 0:
                     found += objects_elsewhere(self._sentence.tree, self._match.positions) if step == "dobj" else []
                     found += self._reattached(path.preposition, is_core)
-                    goals = self._sentence.goals if step in _TOWARDS else ()
+                    goals = self._sentence.goals if step in TOWARDS else ()
                     if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
                         found += [index for index in goals if self._sentence.word(index).head == governor]
                     if step == "nsubj" and self._subject and not self._clause.subject:

@@ -157,6 +157,8 @@ def looked_up_again(context: Context, known: FramedLexicon) -> Context:
     "Take the red mug", said of a mug that it has never seen, is about the red mug that it knows by now. Of several
     that fit, it is the one that it has taken.
     """
+    if not context.spoken_of:
+        return context
     mentions: List[Mention] = []
     # The oldest first: each may refer to those before it.
     for mention in reversed(context.spoken_of):

@@ -3,7 +3,7 @@
 from typing import Optional, Sequence, Tuple
 
 from utterance_passes.clauses import has_case
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with, only_with_forms
 from utterance_passes.persons import is_likely, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -21,6 +21,7 @@ _OBJECT_PRONOUNS = word_class("object_pronouns") - {"it"}
 _THINGS = ("Physical_object", "Substance", "Fluid")
 
 
+@only_with_forms(["well"])
 def with_as_well_as(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "and" of "as well as": "bring me the cup *as well as the plate*" is about two things."""
     edit = TreeEdit(tree)

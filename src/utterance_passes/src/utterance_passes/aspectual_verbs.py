@@ -3,6 +3,7 @@
 from typing import Optional
 
 from semantic_types.parts_of_speech import VERB, base_forms
+from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -15,6 +16,7 @@ _MARKS = frozenset(["to", "by"])
 _CLAUSES = frozenset(["xcomp", "advcl"])
 
 
+@only_with_lemmas(_ASPECTUAL_VERBS)
 def without_aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set an aspectual verb of a command aside, and let its deed take its place.
 

@@ -4,7 +4,7 @@ from typing import FrozenSet, Optional
 
 from spoken_quantities import find_unit
 from utterance_passes.clauses import has_case, verb_above
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with, only_with_forms
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -108,6 +108,7 @@ def with_phrases_of_what_is_asked(tree: DependencyTree, _: Vocabulary) -> Depend
     return edit.tree()
 
 
+@only_with_forms(["upside"])
 def with_upside_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make an adverb of "upside down", of which the parser makes a noun or another deed."""
     edit = TreeEdit(tree)

@@ -2,6 +2,7 @@
 
 from typing import FrozenSet, Optional, Tuple
 
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -20,6 +21,7 @@ _WAY = frozenset(["way", "route"])
 _WITHOUT = frozenset(["without"])
 
 
+@only_with(*_OF_DEEDS, "obl", "nmod")
 def with_avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach what is to be avoided to the verb of going: "go to the office *and avoid the hall on the way*", "*without
     going through the hall*", "*but not through the hall*"."""

@@ -3,6 +3,7 @@
 from typing import Optional, Tuple
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -15,6 +16,7 @@ _NO_PHRASE = frozenset(["VERB", "AUX", "PUNCT", "SCONJ"])
 _LONGEST_PHRASE = 6
 
 
+@only_with_lemmas(_WAITING)
 def with_awaited_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make "until" and a clause of "for", a phrase, "to" and a verb behind a verb of waiting."""
     edit = TreeEdit(tree)

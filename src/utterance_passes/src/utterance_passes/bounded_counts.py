@@ -3,7 +3,7 @@
 from typing import Optional, Sequence
 
 from spoken_quantities import find_unit
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary

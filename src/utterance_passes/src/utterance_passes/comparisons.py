@@ -52,6 +52,8 @@ def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
     """Find the first comparison: its words, and the adverb that stays; 0 if there is none."""
     words = tree.open_words
     forms = [word.form.lower() for word in words]
+    if not _COMPARISONS.search(" ".join(forms)):
+        return None
     for first in range(len(words)):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
             match = _COMPARISONS.fullmatch(" ".join(forms[first:behind]))

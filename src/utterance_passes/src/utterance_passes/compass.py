@@ -3,6 +3,7 @@
 from typing import Optional
 
 from spoken_quantities import find_unit
+from utterance_passes.pass_needs import only_with_forms
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -11,6 +12,7 @@ from word_classes import word_class
 _COMPASS = word_class("compass_directions")
 
 
+@only_with_forms(_COMPASS)
 def with_compass_directions_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a bare direction behind a verb to the verb: "move north three feet", "turn ten degrees south west"."""
     edit = TreeEdit(tree)

@@ -3,6 +3,7 @@
 from typing import FrozenSet, List, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
+from utterance_passes.pass_needs import only_with_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -21,6 +22,7 @@ _STANDINS = word_class("noun_standins")
 _OPPOSITE_SIDES = word_class("opposite_sides")
 
 
+@only_with_forms(_EXCEPTIONS | _NOT)
 def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing. Take out of a
     kind what is described: "a beer, not a warm one"."""
@@ -100,6 +102,7 @@ def _is_property_said(tree: DependencyTree, things: List[Word]) -> bool:
     return any(child.deprel == "amod" for thing in things for child in tree.children(thing.index))
 
 
+@only_with_forms(["but"])
 def with_what_is_meant(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Put what stands behind "but" in the place of what is denied before it: "bring *not the cup but* the plate",
     "*don't* go *to the hall but* to the office"."""
@@ -154,6 +157,7 @@ def _denying(tree: DependencyTree, phrase: Word) -> FrozenSet[int]:
     return frozenset([nots[0].index] if first - 1 <= nots[0].index else [])
 
 
+@only_with_forms(_NOT.union(*(phrase.split() for phrase in _CONTRASTS)))
 def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
     edit = TreeEdit(tree)

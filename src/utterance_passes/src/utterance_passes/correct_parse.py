@@ -5,7 +5,7 @@ from typing import FrozenSet, Iterable, List, Sequence
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
 from utterance_passes.clauses import has_case, is_then
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with, only_with_forms
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -167,6 +167,7 @@ def _has_determiner(tree: DependencyTree, word: Word) -> bool:
     return any(child.deprel in ("det", "nmod:poss") for child in tree.children(word.index))
 
 
+@only_with_forms(_PER)
 def with_speeds_together(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the time of a speed to its length: "two metres *a second*", "half a metre *per second*"."""
     edit = TreeEdit(tree)
@@ -182,6 +183,7 @@ def with_speeds_together(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with_forms(_TURNS | _SEVERAL_TURNS)
 def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn the verb "turn" after a number or a fraction into a noun: "turn a quarter turn left", "make a 30 degree
     turn". The parser takes it for another command.
@@ -242,6 +244,7 @@ def _asks_for_assent(tree: DependencyTree, side: Word) -> bool:
     return around[:1] + around[2:] == [",", "?"] and side.form.lower() == "right" and side.deprel == "advmod"
 
 
+@only_with_forms(_LEFT_AND_RIGHT)
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a side and the measure after it separately to the verb: the parser makes one phrase of "to the right
     fifteen degrees", and of "right twice", and an interjection of "then right".
@@ -370,6 +373,7 @@ def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
     return phrase
 
 
+@only_with_forms(_DEGREES)
 def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "a bit" and "a little" to the verb, not to the noun before them."""
     edit = TreeEdit(tree)

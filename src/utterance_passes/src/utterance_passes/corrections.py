@@ -5,6 +5,7 @@ disfluencies*, 1994). The abandoned words and the editing term become a *reparan
 Dependencies; later steps ignore them. If it is not certain what the correction replaces, a person chooses a reading.
 """
 
+from functools import lru_cache
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from utterance_passes.formula_file import is_filler, pattern_of
@@ -56,6 +57,8 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     A repeated number without a filler is two digits, also with a comma between figures: "5,5" may mean 5.5. "Very very"
     is an emphasis.
     """
+    if len(tree.forms) == len(tree.words):
+        return tree
     said = [word for word in tree.words if not is_filler(word.form) and word.upos != "PUNCT"]
     for first, second in zip(said, said[1:]):
         is_restart = (
@@ -114,9 +117,14 @@ def _term_at(forms: Sequence[str], position: int) -> str:
     """Return the longest editing term at a position; empty if there is none."""
     for length in range(_LONGEST_TERM, 0, -1):
         said = " ".join(forms[position : position + length])
-        if any(pattern.fullmatch(said) for pattern in _EDITING_TERMS):
+        if _is_term(said):
             return said
     return ""
+
+
+@lru_cache(maxsize=4096)
+def _is_term(said: str) -> bool:
+    return any(pattern.fullmatch(said) for pattern in _EDITING_TERMS)
 
 
 def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]) -> bool:

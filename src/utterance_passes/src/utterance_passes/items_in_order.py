@@ -2,6 +2,7 @@
 
 from typing import Optional
 
+from utterance_passes.pass_needs import only_with_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -15,6 +16,7 @@ _SIDES = word_class("left_and_right")
 _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
 
 
+@only_with_forms(_ORDER)
 def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside words of order before an item of a list, and attach the item to the item before it.
 
@@ -35,6 +37,7 @@ def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+@only_with_forms(_ORDER)
 def with_sides_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach "then" to the side right behind it, and each side to the verb: "turn left, *then right*, then left"."""
     edit = TreeEdit(tree)

@@ -3,7 +3,7 @@
 from typing import Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with
 from utterance_passes.persons import is_likely, is_person_or_name
 from utterance_passes.tree import ASIDE, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit

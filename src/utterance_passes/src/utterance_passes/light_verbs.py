@@ -1,5 +1,6 @@
 """Replaces light verbs: "can I have the mug" means "I want the mug", and "do a u-turn" means "make a u-turn"."""
 
+from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -17,6 +18,7 @@ _WOULD = frozenset(["would", "'d", "’d"])
 _SPEAKERS = word_class("speaker_subjects")
 
 
+@only_with_lemmas(_ASKED_FOR | _WISHING_VERBS | {"do"})
 def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Replace light verbs by the verbs that they mean, if the lexicon has those.
 

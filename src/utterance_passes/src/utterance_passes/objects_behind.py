@@ -2,6 +2,7 @@
 
 from typing import Tuple
 
+from utterance_passes.pass_needs import only_with
 from utterance_passes.persons import is_likely, is_name_of_person, is_person, is_person_or_name
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -21,6 +22,7 @@ _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 _OF_NOUNS = frozenset(["conj", "nmod", "nmod:unmarked", "appos"])
 
 
+@only_with("obj", "iobj", "obl")
 def with_objects_behind(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach a noun phrase with an article to the verb as its object.
 

@@ -1,6 +1,6 @@
 """Joins adverbs of place to what they say the place of: "ahead of", "the chair closest to the door"."""
 
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary

@@ -2,7 +2,7 @@
 
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import prepositions_of
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with, only_with_forms
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -15,6 +15,7 @@ _NOUNS_WITH_TO = word_class("nouns_with_infinitives")
 _CERTAIN = word_class("demonstrative_determiners") | {"the"}
 
 
+@only_with_forms(_INDEFINITE_THINGS)
 def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of what something is for: "something *to drink*" is brought to no place.
 

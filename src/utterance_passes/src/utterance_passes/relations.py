@@ -6,7 +6,7 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 from typing import FrozenSet, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
-from utterance_passes.pass_relations import only_with
+from utterance_passes.pass_needs import only_with
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -223,6 +223,7 @@ def with_deeds_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> Depen
     return edit.tree()
 
 
+@only_with("acl", "ccomp")
 def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make what follows the description of a hearer what the hearer is told: "tell the man who sits there *that dinner
     is ready*"."""
@@ -403,6 +404,7 @@ def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> Dependenc
     return edit.tree()
 
 
+@only_with("obj", "iobj")
 def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*". What a
     person is told about belongs to the verb: "warn the guests *about the dog*"."""

@@ -3,6 +3,7 @@
 They are read from the words, not from the tree: the parser attaches a time at either end of a command to any word.
 """
 
+from functools import lru_cache
 from typing import FrozenSet, List, Tuple
 
 from spoken_quantities import find_number
@@ -148,5 +149,6 @@ def _is_measured(tree: DependencyTree, index: int) -> bool:
     return any(index in amount.positions and amount.unit for amount in amounts)
 
 
+@lru_cache(maxsize=4096)
 def _is_number(form: str) -> bool:
     return form not in ("a", "an") and find_number(form) is not None

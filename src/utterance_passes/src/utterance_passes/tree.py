@@ -117,6 +117,16 @@ class DependencyTree:
         return frozenset(found | {relation.split(":")[0] for relation in found})
 
     @cached_property
+    def forms(self) -> FrozenSet[str]:
+        """The words as they were written, in lower case."""
+        return frozenset(word.form.lower() for word in self.words)
+
+    @cached_property
+    def lemmas(self) -> FrozenSet[str]:
+        """The dictionary forms of all words, in lower case."""
+        return frozenset(word.lemma.lower() for word in self.words)
+
+    @cached_property
     def abandoned(self) -> FrozenSet[int]:
         """Positions of corrected words, editing terms and asides."""
         return frozenset().union(

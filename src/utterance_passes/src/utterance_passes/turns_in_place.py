@@ -2,6 +2,7 @@
 
 from typing import FrozenSet
 
+from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
@@ -11,6 +12,7 @@ _PHRASES = frozenset(tuple(phrase.split()) for phrase in word_class("places_of_t
 _TURNING = word_class("turning_verbs")
 
 
+@only_with_lemmas(_TURNING)
 def without_places_of_turns(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside where a robot turns that stays where it is; "turn on the spot" is about no device."""
     positions: FrozenSet[int] = frozenset().union(

@@ -6,6 +6,7 @@
 from typing import List, NamedTuple, Optional
 
 from semantic_types.parts_of_speech import VERB, base_forms
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -36,6 +37,7 @@ class _Result(NamedTuple):
     base: str
 
 
+@only_with("obj", "nsubj")
 def with_wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a request for a deed of the wish for its result; "I want a bottle filled with water" asks for a bottle."""
     edit = TreeEdit(tree)

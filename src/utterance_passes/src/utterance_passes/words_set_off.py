@@ -2,6 +2,7 @@
 
 from semantic_types import Fit, shipped_types
 from utterance_passes.clauses import verb_above
+from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -14,6 +15,7 @@ _SET_OFF = frozenset(["vocative", "obj"]) | _OF_NOUNS
 _LIVING = ("Sentient", "Animal")
 
 
+@only_with(*_SET_OFF)
 def with_words_set_off(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a separate part of the sentence of a bare noun at the end, behind a comma.
 

@@ -1,4 +1,4 @@
-"""Passes that look only at sentences with certain relations lose nothing by that, in any sentence of the tables."""
+"""Passes that look only at sentences with certain relations or words lose nothing by that: all sentences of tables."""
 
 import re
 from typing import Iterator, Tuple
@@ -8,7 +8,7 @@ from talking_table import TABLES, read_table
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer.framed_lexicon import FramedLexicon
 from stanford_parser_ros.model import UnparsableText
-from utterance_passes.pass_relations import TreeRun
+from utterance_passes.pass_needs import TreeRun
 from utterance_passes.table import FRAMER_TREE_PASSES
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree
