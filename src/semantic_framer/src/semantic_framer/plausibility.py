@@ -156,9 +156,12 @@ def is_numbered_place(filled: Filled) -> bool:
     first = min((child.index for child in children if child.deprel == "case"), default=0)
     if any(index < first for index in counts):
         return True
-    is_share = filled.head.lemma.lower() in _SHARES and bool(counts)
+    # "Wait *at ten sharp*."
+    is_share = (filled.head.lemma.lower() in _SHARES or filled.head.form.lower() == "sharp") and bool(counts)
     if filled.head.upos != "NUM" and not is_share:
         return False
+    if "Place" in filled.roles:
+        return True  # "Turn left *at ten*" says when.
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
     return any(other.name in themes and other.positions for other in filled.reading.arguments)

@@ -258,27 +258,6 @@ def _thing_meant(things: Sequence[Thing], accepted: Sequence[str], part: str, ty
     return before
 
 
-def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
-    """Resolve words that refer to the same element of the clause before: "take the red cup and the blue *one*", and, if
-    both clauses share one verb, places: "put the cup on the table and the bowl on *it*".
-    """
-    frame = frames[reading.unit.frame_name]
-    values = []
-    for value in reading.arguments:
-        element, other = frame.element(value.name), before.argument(value.name)
-        if other is None or not value.positions:
-            values.append(value)
-            continue
-        is_place = element is not None and element.framenet in PLACES
-        shares_verb = reading.verb_positions == before.verb_positions
-        if value.head.lower() in ONES and value.text.lower() not in PRONOUNS:
-            value = of_same_kind(value, other)
-        elif shares_verb and is_place and value.text.lower() in PRONOUNS - DEMONSTRATIVES:
-            value = resolved(value, other.text)
-        values.append(value)
-    return replace(reading, arguments=tuple(values))
-
-
 def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
     """Return the only thing that statements around a command are about, which a pronoun of the command stands for: "I
     can't reach *the biscuits*, get them for me". None if there is none, or more than one.

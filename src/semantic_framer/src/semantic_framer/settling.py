@@ -7,6 +7,7 @@ from referring_expressions import unknown_of
 from roboframenet_ros.spoken_text import join_with_and, join_with_or
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
+from semantic_framer.clause_before import resolve_in_parallel, with_thing_taken
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.embedded_statements import with_statements
@@ -27,7 +28,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase, remember, resolve, resolve_in_parallel
+from semantic_framer.references import noun_phrase, remember, resolve
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import accepted_types
 from semantic_framer.wishes import without_granted_wishes
@@ -144,7 +145,7 @@ def _settled(
             for reading in told
         )
         if done:
-            readings = _beside(readings, done[-1][0], now)
+            readings = _beside(readings, done[-1][0], context, now)
         question = _resolved(readings, context, now)
         if isinstance(question, _Open):
             waiting = without_positions(tuple(done) + (question.readings,) + clauses[len(done) + 1 :])
@@ -203,9 +204,11 @@ def _in_words_of(plan: PlanPart, sentence: Sentence) -> str:
     return text if all(word.strip(",") in text.lower() for word in said) else plan.label
 
 
-def _beside(readings: Tuple[Reading, ...], before: Reading, now: Now) -> Tuple[Reading, ...]:
+def _beside(readings: Tuple[Reading, ...], before: Reading, context: Context, now: Now) -> Tuple[Reading, ...]:
     """Return the readings of a clause with the words resolved that refer to the clause before it."""
-    found = tuple(resolve_in_parallel(reading, before, now.known.frames) for reading in readings)
+    frames = now.known.frames
+    parallel = (resolve_in_parallel(reading, before, frames) for reading in readings)
+    found = tuple(with_thing_taken(reading, before, context, frames) for reading in parallel)
     if found[0] != readings[0]:
         now.write("references", str(readings[0]), str(found[0]))
     return found

@@ -16,7 +16,7 @@ from semantic_frames.problem import FileRefused
         ("Say hello from the kitchen.", "Source", "from the kitchen"),
         ("Say hello in the kitchen.", "Place", "in the kitchen"),
         ("Follow me silently.", "Manner", "silently"),
-        ("Take a left at the door.", "Place", "at the door"),
+        ("Turn around at the door.", "Place", "at the door"),
         ("Bring me a cloth to clean the table.", "Purpose", "to clean the table"),
     ],
 )

@@ -43,9 +43,7 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
     "text, code",
     [
         ("set the vase to 20", "NO_READING"),
-        ("take a left at the door", "LEFT_OVER_WORDS"),
         ("take the second left", "LEFT_OVER_WORDS"),
-        ("make a right at the end of the corridor", "LEFT_OVER_WORDS"),
         ("move a little bit closer to the table", "LEFT_OVER_WORDS"),
         ("where did you go", "QUESTION"),
         ("are you tall", "QUESTION"),

@@ -12,6 +12,7 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ASKING = word_class("words_that_ask_which")
+_CONDITIONS = word_class("conditions")
 _FOR = frozenset(["for"])
 _GOING = word_class("verbs_of_going")
 _HANDS = word_class("hands")
@@ -19,6 +20,7 @@ _HERE_AND_THERE = word_class("here_and_there")
 _INDEFINITE = word_class("indefinite_articles")
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _NOT = word_class("not")
+_LEFT_AND_RIGHT = word_class("left_and_right")
 _ONES = word_class("noun_standins")
 #: Relations of "one" to the thing, or to its verb.
 _OF_ITEMS = frozenset(["conj", "parataxis"])
@@ -318,6 +320,21 @@ def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         if not is_how_long or time.deprel != "nmod" or place.deprel not in ("obl", "conj"):
             continue
         edit.rehang(time.index, verb_above(tree, place).index, "obl")
+    return edit.tree()
+
+
+@only_with("advcl")
+def with_sides_of_goals(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a side to what is reached or seen in a condition: "until you reach the door *on the right*"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        children = tree.children(verb.index)
+        is_condition = verb.deprel == "advcl" and any(child.form.lower() in _CONDITIONS for child in children)
+        things = [child for child in children if child.deprel == "obj" and child.upos in _NOUNS]
+        for side in children if is_condition and len(things) == 1 else ():
+            is_side = side.deprel == "obl" and side.form.lower() in _LEFT_AND_RIGHT
+            if is_side and min(tree.subtree(side.index)) == max(tree.subtree(things[0].index)) + 1:
+                edit.rehang(side.index, things[0].index, "nmod")
     return edit.tree()
 
 

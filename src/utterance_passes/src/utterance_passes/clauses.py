@@ -16,6 +16,8 @@ _BEFORE_NOT = word_class("between_sure_and_not")
 _ASSURING = word_class("assuring_verbs")
 _CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")
+_STEPS = frozenset(["step"])
+_WAYS = word_class("verbs_with_ways")
 _LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
@@ -311,11 +313,13 @@ def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child:
     The purpose of a thing is not a task of the robot: "bring me a cloth to clean the table". In "turn left to face the
     door", "to face" is a part of the verb if the lexicon has "turn to face".
     """
-    has_object = any(other.deprel in ("obj", "iobj") for other in tree.children(verb.index))
+    objects = [other for other in tree.children(verb.index) if other.deprel in ("obj", "iobj")]
+    # "Cross the hall *to face the window*", "take a step *to face me*": only the robot gets anywhere by that.
+    is_way = verb.lemma.lower() in _WAYS or any(other.lemma.lower() in _STEPS for other in objects)
     return (
         child.deprel == "advcl"
         and child.index > verb.index
-        and not has_object
+        and (is_way or not objects)
         and verb.lemma.lower() not in _REQUEST_VERBS
         and tree.is_infinitive(child.index)
         and bool(vocabulary.verbs_beginning_with(child.lemma.lower()))

@@ -21,7 +21,9 @@ _NOT = word_class("not")
 #: Relations of verbs that are no part of a noun phrase.
 _OF_DEEDS = frozenset(["root", "conj", "parataxis", "advcl", "xcomp", "ccomp"])
 _ONES = word_class("noun_standins")
+_ON_AND_IN = frozenset(["on", "in"])
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_PUTTING = word_class("verbs_of_putting")
 _SIDES = word_class("opposite_sides")
 _SPEAKERS = word_class("speaker_subjects")
 _UNTIL = frozenset(["until", "till"])
@@ -263,6 +265,27 @@ def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> Dependency
             is_behind = min(tree.subtree(place.index)) == max(tree.subtree(objects[0].index)) + 1
             if place.deprel == "obl" and is_behind and _preposition(tree, place) in _PLACE_PREPOSITIONS:
                 edit.rehang(place.index, objects[0].index, "nmod")
+    return edit.tree()
+
+
+@only_with("compound:prt")
+def with_things_put_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a place of the object of a deed that puts down what the deed before took: "take the bowl and place *on the
+    table*". Nobody puts a table on."""
+    edit = TreeEdit(tree)
+    for particle in tree.words:
+        verb = tree.word(particle.head) if particle.head else particle
+        before = tree.word(verb.head) if verb.head else verb
+        objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj", "obl")]
+        is_put_on = particle.deprel == "compound:prt" and particle.form.lower() in _ON_AND_IN
+        is_bare = is_put_on and len(objects) == 1 and particle.index == verb.index + 1
+        if not is_bare or verb.deprel != "conj" or verb.lemma.lower() not in _PUTTING:
+            continue
+        is_place = objects[0].deprel == "obj" and is_likely(objects[0], ["Furniture", "Container"])
+        is_next = min(tree.subtree(objects[0].index)) == particle.index + 1
+        if is_place and is_next and any(child.deprel == "obj" for child in tree.children(before.index)):
+            edit.make_preposition(particle.index, objects[0].index)
+            edit.relabel(objects[0].index, "obl")
     return edit.tree()
 
 

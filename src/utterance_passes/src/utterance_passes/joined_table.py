@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import joined, questions_for_others, turns_in_place, words_set_off
+from utterance_passes import attached_phrases, joined, places_told, questions_for_others, turns_in_place, words_set_off
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -248,5 +248,43 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         questions_for_others.with_deeds_behind_questions,
+    ),
+    TreePass(
+        "things_put_down",
+        "Make a place of the object of a deed that puts down what the deed before took.",
+        Example(
+            "take|VERB|0|root bowls|NOUN|1|obj|bowl and|CCONJ|4|cc place|VERB|1|conj on|ADP|4|compound:prt "
+            "tables|NOUN|4|obj|table",
+            ("on: compound:prt(place) -> case(tables)", "tables: obj(place) -> obl(place)"),
+        ),
+        Stage.FRAMER,
+        joined.with_things_put_down,
+    ),
+    TreePass(
+        "states_before_places",
+        "Make the predicate of a state of a device in front of a place.",
+        Example(
+            "check|VERB|0|root if|SCONJ|7|mark lights|NOUN|7|nsubj|light are|AUX|7|cop|be on|ADP|1|ccomp in|ADP|7|case "
+            "halls|NOUN|1|ccomp|hall",
+            (
+                "if: mark(halls) -> mark(on)",
+                "lights: nsubj(halls) -> nsubj(on)",
+                "are: cop(halls) -> cop(on)",
+                "on: ADP/on -> ADJ/on",
+                "halls: ccomp(check) -> obl(on)",
+            ),
+        ),
+        Stage.FRAMER,
+        places_told.with_states_before_places,
+    ),
+    TreePass(
+        "sides_of_goals",
+        "Attach a side to what is reached or seen in a condition.",
+        Example(
+            "go|VERB|0|root until|SCONJ|3|mark reach|VERB|1|advcl doors|NOUN|3|obj|door on|ADP|6|case left|NOUN|3|obl",
+            ("left: obl(reach) -> nmod(doors)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_sides_of_goals,
     ),
 )

@@ -17,6 +17,8 @@ _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _SHOWING = word_class("showing_verbs")
 _NOBODY = word_class("no_pronouns")
+_NOT = word_class("not")
+_ON_AND_OFF = frozenset(["on", "off"])
 _ON_OR_OFF = word_class("states_of_devices")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
@@ -168,6 +170,30 @@ def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         for child in children:
             if child.deprel in _OF_CLAUSES and child.index != places[0].index:
                 edit.rehang(child.index, places[0].index)
+    return edit.tree()
+
+
+@only_with("cop")
+def with_states_before_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make the predicate of a state of a device in front of a place, in a clause: "check if the lights are *on* in the
+    hall"."""
+    edit = TreeEdit(tree)
+    for state, case in zip(tree.words, tree.words[1:]):
+        if state.form.lower() not in _ON_AND_OFF or case.deprel != "case" or case.head < case.index:
+            continue
+        place = tree.word(case.head)
+        below = (*tree.children(place.index), *tree.children(state.index))
+        copulas = [child for child in below if child.deprel == "cop"]
+        between = tree.words[copulas[0].index : state.index - 1] if copulas else ()
+        is_state = state.head in (place.index, place.head)
+        if not copulas or not place.head or not is_state or any(word.form.lower() not in _NOT for word in between):
+            continue
+        edit.retag(state.index, "ADJ", "JJ")
+        edit.rehang(state.index, place.head, place.deprel)
+        for child in tree.children(place.index):
+            if child.index < state.index:
+                edit.rehang(child.index, state.index)
+        edit.rehang(place.index, state.index, "obl")
     return edit.tree()
 
 

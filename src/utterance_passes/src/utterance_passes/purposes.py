@@ -12,6 +12,8 @@ from word_classes import word_class
 _INDEFINITE = word_class("indefinite_articles")
 _INDEFINITE_THINGS = word_class("indefinite_things")
 _NOUNS_WITH_TO = word_class("nouns_with_infinitives")
+#: "Take a step *to face the door*": no step faces anything.
+_STEPS = frozenset(["step"])
 _CERTAIN = word_class("demonstrative_determiners") | {"the"}
 
 
@@ -69,7 +71,8 @@ def with_purposes_of_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
         if use.deprel not in ("acl", "advcl") or not tree.is_infinitive(use.index):
             continue
         above, has_object = tree.word(use.head), _has_object(tree, use)
-        if use.deprel == "acl" and above.deprel == "obj" and has_object and _is_certain(tree, above):
+        is_of_verb = above.lemma.lower() in _STEPS or _is_certain(tree, above)
+        if use.deprel == "acl" and above.deprel == "obj" and has_object and is_of_verb:
             edit.rehang(use.index, above.head, "advcl")
         if use.deprel == "advcl" and not has_object:
             first = min(tree.subtree(use.index))

@@ -90,8 +90,17 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
         if word.deprel == "conj" and word.upos == "VERB" and word.head and tree.is_infinitive(word.index):
             is_joined = any(child.deprel == "cc" for child in tree.children(word.index))
             if not is_joined and not tree.is_infinitive(word.head):
-                edit.relabel(word.index, "advcl")
+                edit.rehang(word.index, _last_deed_before(tree, word).index, "advcl")
     return edit.tree()
+
+
+def _last_deed_before(tree: DependencyTree, purpose: Word) -> Word:
+    """Return the last of the joined deeds before a purpose: "turn left, then *turn right* to face the door"."""
+    deeds = [tree.word(purpose.head)]
+    for word in tree.words[deeds[0].index : purpose.index - 1]:
+        is_deed = word.deprel in ("conj", "parataxis") and word.upos == "VERB" and not tree.is_infinitive(word.index)
+        deeds += [word] if is_deed and word.head in [deed.index for deed in deeds] else []
+    return deeds[-1]
 
 
 @only_with("conj", "xcomp", "advcl")

@@ -12,6 +12,8 @@ from utterance_passes.two_word_nouns import is_two_word_noun
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+#: Who turns around has turned: "turn around *head to the door*".
+_AROUND = "around"
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
@@ -118,7 +120,8 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
     is_phrasal = following in _PARTICLES and (tags[position] == "VERB" or _is_time(said[:position]))
     # "I am hungry *go to the kitchen*", "turn right *head to the door*".
     is_way = following in _TO and (
-        tags[position] == "VERB" or (tags[position] == "NOUN" and tags[position - 1] == "ADV")
+        tags[position] == "VERB"
+        or (tags[position] == "NOUN" and (tags[position - 1] == "ADV" or said[position - 1] == _AROUND))
     )
     return following in _OBJECTS or ((is_phrasal or is_way) and "".join(said[position + 2 : position + 3]) in _OBJECTS)
 
@@ -126,7 +129,7 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
 def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
     """Whether some words are complete, so that a new command can follow them."""
     last, before = said[-1], said[-2] if len(said) > 1 else ""
-    if _is_time(said):
+    if _is_time(said) or (last == _AROUND and tags[-2:-1] == ["VERB"]):
         return True
     if last in _NEVER_LAST | _SUBJECTS | (_OBJECTS - _OBJECT_PRONOUNS):
         return False
