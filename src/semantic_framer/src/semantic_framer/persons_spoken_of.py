@@ -31,13 +31,14 @@ _NO_NAMES = (
 
 
 def persons_mentioned(arguments: Iterable[TypedArgument], sentence: Sentence) -> Tuple[TypedArgument, ...]:
-    """Return the persons that arguments name or describe, the last one first: "*Anna*", "the man", "*Bob*'s bag"."""
+    """Return the persons that arguments name or describe, the last one first: "*Anna*", "the man", "*Bob*'s bag", "the
+    question of *the man*"."""
     found: List[TypedArgument] = []
     for argument in arguments:
         if argument.text.lower() not in _NO_NAMES and _is_person(argument, sentence):
             found[:0] = argument.members or (argument,)
-        if argument.possessor is not None:
-            found[:0] = persons_mentioned([argument.possessor], sentence)
+        parts = [part for part in (argument.possessor, argument.complement) if part is not None]
+        found[:0] = persons_mentioned(parts, sentence)
         # "Tell Anna that *Bob* is here."
         told = (position for frame in argument.frames if frame.words for position in frame.positions)
         words = (_word_said(position, argument.words, sentence) for position in told)

@@ -95,7 +95,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             is_thing = place is not None and not place.is_asked_about and not is_of_several
             meant = _meant_by(word, things, place if is_thing else None, accepted, part, known.types)
             is_followed = element is not None and element.framenet == COTHEME and word in _THEM
-            if is_followed and meant is not None and context.persons and _is_lifeless(meant, known.types):
+            if is_followed and context.persons and (meant is None or _is_lifeless(meant, known.types)):
                 # "Give Bob the cup and Anna the plate, then follow *them*": neither cup nor plate.
                 value = next(iter(persons_meant(value, context.persons)), value)
             elif meant is not None:

@@ -26,6 +26,8 @@ _ONES = word_class("noun_standins")
 _OF_ITEMS = frozenset(["conj", "parataxis"])
 _OF_ONE_HAND = word_class("words_for_one_hand")
 _ORDINALS = word_class("ordinals_in_order") | word_class("last_ordinals")
+_OF = frozenset(["of"])
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 _OF_WAYS = frozenset(["down", "up"])
 _PERSONS = word_class("pronouns_of_persons")
 _POINTING = word_class("demonstrative_determiners")
@@ -320,6 +322,29 @@ def with_durations_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         if not is_how_long or time.deprel != "nmod" or place.deprel not in ("obl", "conj"):
             continue
         edit.rehang(time.index, verb_above(tree, place).index, "obl")
+    return edit.tree()
+
+
+@only_with("obl")
+def with_places_of_whom_is_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach a place to the person of whom something is told to somebody: "tell the name of the man *at the bar* to
+    Anna"."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        phrases = [child for child in tree.children(verb.index) if child.index > verb.index and child.upos != "PUNCT"]
+        if vocabulary.speech_of(verb.lemma.lower()) is None or len(phrases) < 3:
+            continue
+        told, place, hearer = phrases[:3]
+        last = max(tree.subtree(told.index))
+        persons = [
+            word
+            for word in map(tree.word, tree.subtree(told.index) - {told.index})
+            if _has_case(tree, word, _OF) and is_person_or_name(word) and max(tree.subtree(word.index)) == last
+        ]
+        is_behind = place.deprel == "obl" and min(tree.subtree(place.index)) == last + 1
+        is_heard = is_person_or_name(hearer) and _has_case(tree, hearer, _TO)
+        if told.deprel == "obj" and persons and is_behind and is_heard and _has_case(tree, place, _PLACE_PREPOSITIONS):
+            edit.rehang(place.index, persons[0].index, "nmod")
     return edit.tree()
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Set, Tuple
 
+from spoken_quantities import find_unit
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
@@ -347,6 +348,9 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     words = [word for place, word in enumerate(words) if place not in bounds]
     forms = [form for place, form in enumerate(forms) if place not in bounds]
     if any(" ".join(pair) in _NO_LONGER for pair in zip(forms, forms[1:])):
+        return True
+    counted = [tree.word(word.head) for word in words if word.form.lower() == "zero" and word.head > word.index]
+    if any(things.xpos == "NNS" and find_unit(things.form) is None for things in counted):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
     if any(_is_excluded(tree, word) for word in words):

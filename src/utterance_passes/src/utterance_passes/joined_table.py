@@ -2,7 +2,15 @@
 
 from typing import Tuple
 
-from utterance_passes import attached_phrases, joined, places_told, questions_for_others, turns_in_place, words_set_off
+from utterance_passes import (
+    attached_phrases,
+    joined,
+    places_told,
+    questions_for_others,
+    specified_items,
+    turns_in_place,
+    words_set_off,
+)
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -286,5 +294,33 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         attached_phrases.with_sides_of_goals,
+    ),
+    TreePass(
+        "places_of_whom_is_told",
+        "Attach a place to the person of whom something is told to somebody.",
+        Example(
+            "say|VERB|0|root names|NOUN|1|obj|name of|ADP|4|case men|NOUN|2|nmod|man at|ADP|6|case bars|NOUN|1|obl|bar "
+            "to|ADP|8|case Anna|PROPN|1|obl",
+            ("bars: obl(say) -> nmod(men)",),
+            _SAYING,
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_places_of_whom_is_told,
+    ),
+    TreePass(
+        "specified_items",
+        "Take what specifies counted things for these things, and not for further ones.",
+        Example(
+            "take|VERB|0|root two|NUM|3|nummod cups|NOUN|1|obj|cup ,|PUNCT|6|punct big|ADJ|6|amod one|NOUN|3|conj "
+            "and|CCONJ|9|cc small|ADJ|9|amod one|NOUN|3|conj",
+            (
+                "two: nummod(cups) -> discourse:aside(cup-6)",
+                "cups: obj(take) -> discourse:aside(cup-6)",
+                "one: conj(cups) NOUN/one one -> obj(take) NOUN/cup cup",
+                "one: conj(cups) NOUN/one one -> conj(cup-6) NOUN/cup cup",
+            ),
+        ),
+        Stage.FRAMER,
+        specified_items.with_specified_items,
     ),
 )

@@ -154,6 +154,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         tagging.names_as_verbs,
     ),
     TagPass(
+        "small_names_as_verbs",
+        "Tag a word in small letters that English does not know as a name where a person is named.",
+        Example("give|VERB ravi|VERB the|DET keys|NOUN", ("2 PROPN NNP",), Verbs(frozenset(["give"]))),
+        Stage.PARSER,
+        tagging.small_names_as_verbs,
+    ),
+    TagPass(
         "nouns_behind_verbs",
         "Tag a word right behind the verb of the command as a noun that English does not know as a verb.",
         Example("give|VERB grandpa|VERB cups|NOUN", ("2 NOUN NN",), Verbs(frozenset(["give"]))),

@@ -1,7 +1,7 @@
 """Corrects tags by the lexicon: the tagger learned from text in which commands are rare."""
 
 import re
-from typing import Optional, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 from semantic_types import Fit, shipped_types
 from semantic_types.parts_of_speech import ADJECTIVE, ADVERB, NOUN, VERB, parts_of_speech
@@ -21,6 +21,9 @@ _DO = word_class("forms_of_do")
 _AUXILIARIES = word_class("forms_of_have") | _DO
 _FORMS_OF_BE = word_class("forms_of_be")
 _NEVER_OWNERS = word_class("pronouns_before_is")
+#: Tags behind the name of a person at the end of a phrase, and right behind the verb.
+_BEHIND_NAMES = frozenset(["PUNCT", "CCONJ", "ADP", "ADV", "INTJ"])
+_BEHIND_PERSONS = frozenset(["DET", "PRON", "ADP"])
 _NUMBER_WORDS = frozenset(number_words())
 _OBJECTS = word_class("object_beginnings")
 _PARTICLES = word_class("verb_particles")
@@ -44,6 +47,7 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 _CHANGED = word_class("changed_states")
 _COMPARING = tuple(word_class("comparing_endings"))
 _INDEFINITE = word_class("indefinite_things")
+_LEADING = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _RESULTS = word_class("resulting_states")
@@ -327,6 +331,23 @@ def names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabu
         if are_capitals_rare or VERB not in parts_of_speech(form.lower())
         if not vocabulary.verbs_beginning_with(form.lower())
     )
+
+
+def small_names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word in small letters that English does not know as a name, if it stands where a person is named: "bring
+    the cup to *daniele*", "give *ravi* the keys". "I want you to *yeet* the ball" keeps a verb that nobody knows."""
+    found: List[Retag] = []
+    for position, (form, tag) in enumerate(zip(forms, tags), start=1):
+        is_unknown = form.islower() and form.isalpha() and not parts_of_speech(form)
+        is_verb = tag != "VERB" or form.endswith(_VERB_ENDINGS) or vocabulary.verbs_beginning_with(form)
+        if position == 1 or is_verb or not is_unknown:
+            continue
+        before, behind = forms[position - 2].lower(), next(iter(tags[position:]), "PUNCT")
+        if before == "to" and position > 2 and behind in _BEHIND_NAMES:
+            found += [Retag(position - 1, "ADP", "IN"), Retag(position, "PROPN", "NNP", "Number=Sing")]
+        elif vocabulary.verbs_beginning_with(before) and before not in _LEADING and behind in _BEHIND_PERSONS:
+            found.append(Retag(position, "PROPN", "NNP", "Number=Sing"))
+    return tuple(found)
 
 
 def nouns_behind_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:

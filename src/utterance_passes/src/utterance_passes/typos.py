@@ -35,7 +35,10 @@ _GERUND = "ing"
 _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
 #: Behind these prepositions stands no verb: "look at marco" has no "march".
-_BEFORE_NAMES = (word_class("directional_prepositions") | word_class("place_prepositions")) - {"to"}
+_TO = "to"
+_BEFORE_NAMES = (word_class("directional_prepositions") | word_class("place_prepositions")) - {_TO}
+#: What stands behind a whole phrase; nothing, too.
+_ENDS_OF_PHRASES = frozenset(["", *word_class("words_between_commands")])
 #: "Nevr turn left": what may forbid the deed is no name of the robot.
 _NEGATIONS = {**{word: word for word in word_class("negations") if len(word) >= _SHORTEST}, "dont": "don't"}
 _BEFORE_VERBS = word_class("leading_verbs") | word_class("aspectual_verbs") | word_class("verbs_with_verbs")
@@ -128,6 +131,9 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
         or before[-1].endswith(_GERUND)  # "following alice" has no "slice"
     ):
         found = [near for near in found if near not in vocabulary.words]
+    elif before[-1:] == [_TO] and behind in _ENDS_OF_PHRASES:
+        # "Bring it to marco" has no "march"; but "I want you to trun" has "turn".
+        found = [near for near in found if near not in vocabulary.words or sorted(near) == sorted(said)]
     if not before:
         # The first letter of a word is seldom wrong: "Alice" is a name, and no "slice".
         found = [near for near in found if near[0] == said[0] or sorted(near) == sorted(said)]
