@@ -20,6 +20,7 @@ from word_classes import word_class
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
+_EXACTLY = word_class("exact_times")
 _VAGUE_PERIODS = word_class("vague_periods")
 _FORWARD_AND_BACKWARD = word_class("forward_and_backward")
 _HEARERS = word_class("hearers")
@@ -157,8 +158,8 @@ def is_numbered_place(filled: Filled) -> bool:
     if any(index < first for index in counts):
         return True
     # "Wait *at ten sharp*."
-    is_share = (filled.head.lemma.lower() in _SHARES or filled.head.form.lower() == "sharp") and bool(counts)
-    if filled.head.upos != "NUM" and not is_share:
+    is_counted = filled.head.lemma.lower() in _SHARES or filled.head.form.lower() in _EXACTLY
+    if filled.head.upos != "NUM" and not (is_counted and counts):
         return False
     if "Place" in filled.roles:
         return True  # "Turn left *at ten*" says when.

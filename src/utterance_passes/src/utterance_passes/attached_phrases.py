@@ -348,6 +348,26 @@ def with_places_of_whom_is_told(tree: DependencyTree, vocabulary: Vocabulary) ->
     return edit.tree()
 
 
+@only_with("acl")
+def with_subjects_of_descriptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Give a deed that describes a thing its subject, which the parser takes for somebody spoken to, or for another
+    thing: "close the window *Anna* opened"."""
+    edit = TreeEdit(tree)
+    for deed in tree.words[2:]:
+        subject = tree.word(deed.index - 1)
+        first = min((index for index in tree.subtree(subject.index) if index < deed.index), default=0)
+        thing = tree.word(first - 1) if first > 1 else subject
+        is_participle = deed.deprel == "acl" and deed.xpos in ("VBN", "VBD")
+        is_taken_for_another = subject.deprel in ("vocative", "obj") and subject.head == thing.head != 0
+        if not is_participle or thing.deprel != "obj" or not is_taken_for_another:
+            continue
+        if deed.head in (thing.index, subject.index) and is_person_or_name(subject):
+            edit.retag(deed.index, "VERB", "VBD")
+            edit.rehang(deed.index, thing.index, "acl:relcl")
+            edit.rehang(subject.index, deed.index, "nsubj")
+    return edit.tree()
+
+
 @only_with("advcl")
 def with_sides_of_goals(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a side to what is reached or seen in a condition: "until you reach the door *on the right*"."""

@@ -10,13 +10,13 @@ from utterance_passes import (
     compass,
     contrasts,
     correct_parse,
+    hearers,
     items_in_order,
     names,
     objects_behind,
     participles,
     places_ahead,
     places_told,
-    relations,
 )
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 from utterance_passes.vocabulary import Speech, Verbs
@@ -355,7 +355,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
             Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
         ),
         Stage.FRAMER,
-        relations.with_persons_told,
+        hearers.with_persons_told,
     ),
     TreePass(
         "things_added",

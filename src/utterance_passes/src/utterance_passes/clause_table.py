@@ -7,6 +7,7 @@ from utterance_passes import (
     attached_phrases,
     bounded_counts,
     correct_parse,
+    hearers,
     places_told,
     purposes,
     questions_for_others,
@@ -154,7 +155,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
             Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
         ),
         Stage.FRAMER,
-        relations.with_hearers_joined,
+        hearers.with_hearers_joined,
     ),
     TreePass(
         "deeds_of_hearers",
@@ -166,7 +167,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
             Verbs(frozenset(["tell", "rest"]), speech={"tell": Speech.TOLD}),
         ),
         Stage.FRAMER,
-        relations.with_deeds_of_hearers,
+        hearers.with_deeds_of_hearers,
     ),
     TreePass(
         "messages_behind_clauses",
@@ -178,7 +179,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
             Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
         ),
         Stage.FRAMER,
-        relations.with_messages_behind_clauses,
+        hearers.with_messages_behind_clauses,
     ),
     TreePass(
         "requests_behind_clauses",
@@ -188,7 +189,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
             ("cups: obl(sitting) -> obl(ask)",),
         ),
         Stage.FRAMER,
-        relations.with_requests_behind_clauses,
+        hearers.with_requests_behind_clauses,
     ),
     TreePass(
         "things_named_by_clauses",

@@ -21,6 +21,7 @@ _NOT = word_class("not")
 #: Relations of verbs that are no part of a noun phrase.
 _OF_DEEDS = frozenset(["root", "conj", "parataxis", "advcl", "xcomp", "ccomp"])
 _ONES = word_class("noun_standins")
+_OWNED = word_class("pronouns_of_owned_things")
 _ON_AND_IN = frozenset(["on", "in"])
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PUTTING = word_class("verbs_of_putting")
@@ -286,6 +287,18 @@ def with_things_put_down(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if is_place and is_next and any(child.deprel == "obj" for child in tree.children(before.index)):
             edit.make_preposition(particle.index, objects[0].index)
             edit.relabel(objects[0].index, "obl")
+    return edit.tree()
+
+
+@only_with("compound")
+def with_owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Part what somebody owns from who gets it: "give Bob his cup and *Anna hers*" gives Bob no second thing. No unit
+    knows the relation ``dep``."""
+    edit = TreeEdit(tree)
+    for owned in tree.words:
+        names = [child for child in tree.children(owned.index) if child.deprel == "compound"]
+        if owned.form.lower() in _OWNED and owned.deprel == "conj" and names:
+            edit.rehang(owned.index, verb_above(tree, owned).index, "dep")
     return edit.tree()
 
 

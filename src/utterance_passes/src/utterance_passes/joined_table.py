@@ -323,4 +323,25 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         specified_items.with_specified_items,
     ),
+    TreePass(
+        "owned_things_apart",
+        "Part what somebody owns from who gets it.",
+        Example(
+            "give|VERB|0|root Bob|PROPN|1|iobj cups|NOUN|1|obj|cup and|CCONJ|6|cc Anna|PROPN|6|compound "
+            "hers|NOUN|3|conj",
+            ("hers: conj(cups) -> dep(give)",),
+        ),
+        Stage.FRAMER,
+        joined.with_owned_things_apart,
+    ),
+    TreePass(
+        "subjects_of_descriptions",
+        "Give a deed that describes a thing its subject.",
+        Example(
+            "take|VERB|0|root cups|NOUN|1|obj|cup Bob|PROPN|1|vocative washed|VERB|2|acl|wash|VBN",
+            ("Bob: vocative(take) -> nsubj(washed)", "washed: acl(cups) -> acl:relcl(cups)"),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_subjects_of_descriptions,
+    ),
 )

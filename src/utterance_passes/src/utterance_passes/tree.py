@@ -106,6 +106,10 @@ class DependencyTree:
     def _subtrees(self) -> Dict[int, FrozenSet[int]]:
         return {}
 
+    def first_spoken(self, index: int) -> int:
+        """Return the position of the first word at or below the word at an index that is no mark."""
+        return min(inner for inner in self.subtree(index) if inner == index or self.word(inner).upos != "PUNCT")
+
     def is_infinitive(self, index: int) -> bool:
         """Whether "to" marks the verb at an index: "tell Bob *to come*"."""
         return any(child.deprel == "mark" and child.form.lower() == "to" for child in self.children(index))

@@ -44,7 +44,7 @@ ORDER = (
     "deeds_joined deadlines_joined remarks_joined copulas_at_question_words prepositions_of_nouns words_said "
     "phrases_in_a_row places_of_what_fails places_of_what_there_is places_over_here shared_nouns clothes_at_persons "
     "words_set_off deeds_behind_questions things_put_down states_before_places sides_of_goals places_of_whom_is_told "
-    "specified_items modals_as_nouns "
+    "specified_items owned_things_apart subjects_of_descriptions modals_as_nouns "
     "as_well_as not_only bounded_counts "
     "commands_behind_statements wished_results remarks prepositions_at_names asked_clauses told_predicates "
     "words_before_nouns hearers_joined deeds_of_hearers messages_behind_clauses requests_behind_clauses "
