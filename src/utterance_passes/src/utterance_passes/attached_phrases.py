@@ -341,7 +341,7 @@ def with_places_of_whom_is_told(tree: DependencyTree, vocabulary: Vocabulary) ->
             for word in map(tree.word, tree.subtree(told.index) - {told.index})
             if _has_case(tree, word, _OF) and is_person_or_name(word) and max(tree.subtree(word.index)) == last
         ]
-        is_behind = place.deprel == "obl" and min(tree.subtree(place.index)) == last + 1
+        is_behind = place.deprel == "obl" and tree.is_next(place.index, told.index)
         is_heard = is_person_or_name(hearer) and _has_case(tree, hearer, _TO)
         if told.deprel == "obj" and persons and is_behind and is_heard and _has_case(tree, place, _PLACE_PREPOSITIONS):
             edit.rehang(place.index, persons[0].index, "nmod")
@@ -378,7 +378,7 @@ def with_sides_of_goals(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         things = [child for child in children if child.deprel == "obj" and child.upos in _NOUNS]
         for side in children if is_condition and len(things) == 1 else ():
             is_side = side.deprel == "obl" and side.form.lower() in _LEFT_AND_RIGHT
-            if is_side and min(tree.subtree(side.index)) == max(tree.subtree(things[0].index)) + 1:
+            if is_side and tree.is_next(side.index, things[0].index):
                 edit.rehang(side.index, things[0].index, "nmod")
     return edit.tree()
 

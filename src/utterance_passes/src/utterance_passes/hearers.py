@@ -32,7 +32,7 @@ def with_hearers_joined(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     words = [word for word in tree.words if word not in orders]
     for hearer, joint, person, opening in zip(words, words[1:], words[2:], words[3:]):
         verb = tree.word(hearer.head) if hearer.head else hearer
-        is_telling = vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
+        is_telling = _tells(vocabulary, verb)
         is_right = person.head == hearer.index and joint.head == person.index
         is_joined = hearer.deprel in ("iobj", "obj") and joint.form.lower() == "and" and not is_right
         if not (is_telling and is_joined and is_person_or_name(person)) or opening.form.lower() not in _OPENINGS:
@@ -56,8 +56,7 @@ def with_deeds_of_hearers(tree: DependencyTree, vocabulary: Vocabulary) -> Depen
     edit = TreeEdit(tree)
     for deed in tree.words:
         verb = tree.word(deed.head) if deed.deprel == "conj" and deed.upos == "VERB" else deed
-        lemma = verb.lemma.lower()
-        if verb is deed or (vocabulary.speech_of(lemma) is not Speech.TOLD and lemma not in _ASKING):
+        if verb is deed or not _tells(vocabulary, verb):
             continue
         children = tree.children(verb.index)
         own = [child for child in children if child.index < deed.index and tree.is_infinitive(child.index)]
@@ -75,8 +74,7 @@ def with_messages_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
     for clause in tree.words:
         hearer = _described_by(tree, clause)
         verb = tree.word(hearer.head) if hearer is not clause and hearer.head else hearer
-        lemma = verb.lemma.lower()
-        is_telling = vocabulary.speech_of(lemma) is Speech.TOLD or lemma in _ASKING
+        is_telling = _tells(vocabulary, verb)
         says_itself = vocabulary.speech_of(clause.lemma.lower()) is not None or clause.lemma.lower() in _OPINION
         if clause.deprel.startswith("acl") and hearer is not clause:
             _tell_behind_place(edit, tree, clause, vocabulary)
@@ -147,10 +145,10 @@ def _message_inside(tree: DependencyTree, clause: Word) -> Optional[Word]:
         inside = tree.subtree(index)
         first = tree.first_spoken(word.index)
         opening = tree.word(first).form.lower()
-        copulas = [child for child in tree.children(index) if child.deprel == "cop"]
-        below = (*tree.children(index), *(inner for copula in copulas for inner in tree.children(copula.index)))
-        is_clause = bool(copulas) or word.deprel.split(":")[0] in ("advcl", "acl", "ccomp", "parataxis")
-        is_clause = is_clause and any(child.deprel.startswith("nsubj") for child in below)
+        is_clause = word.deprel.split(":")[0] in ("advcl", "acl", "ccomp", "parataxis") and any(
+            child.deprel.startswith("nsubj") for child in tree.children(index)
+        )
+        is_clause = is_clause or tree.has_copula_and_subject(index)
         if is_clause and max(inside) == end and opening in _OPENINGS and first > clause.index:
             return word
     return None
@@ -181,6 +179,7 @@ def with_requests_behind_clauses(tree: DependencyTree, vocabulary: Vocabulary) -
 
 
 def _tells(vocabulary: Vocabulary, verb: Word) -> bool:
+    """Whether a verb has a hearer, who is told or asked something."""
     return vocabulary.speech_of(verb.lemma.lower()) is Speech.TOLD or verb.lemma.lower() in _ASKING
 
 

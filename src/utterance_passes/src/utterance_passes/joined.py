@@ -263,7 +263,7 @@ def with_places_of_what_fails(tree: DependencyTree, _: Vocabulary) -> Dependency
         )
         objects = [child for child in children if child.deprel == "obj"] if is_speaker and is_denied else []
         for place in children if len(objects) == 1 else ():
-            is_behind = min(tree.subtree(place.index)) == max(tree.subtree(objects[0].index)) + 1
+            is_behind = tree.is_next(place.index, objects[0].index)
             if place.deprel == "obl" and is_behind and _preposition(tree, place) in _PLACE_PREPOSITIONS:
                 edit.rehang(place.index, objects[0].index, "nmod")
     return edit.tree()

@@ -399,7 +399,7 @@ class _Quotation:
                 break
         tops = [w for w in self._tree.children(self._verb) if self._case(w.index) and w.index not in inside]
         for person, place in zip(tops, tops[1:]):
-            is_next = min(self._tree.subtree(place.index)) == max(self._tree.subtree(person.index)) + 1
+            is_next = self._tree.is_next(place.index, person.index)
             if self._case(person.index) == "to" and is_next and self._case(place.index) in _PLACE_PREPOSITIONS:
                 if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")

@@ -250,9 +250,6 @@ def with_predicates_as_clauses(tree: DependencyTree, _: Vocabulary) -> Dependenc
     """Make a clause of an object that has a subject and a copula: "find out *what time it is*"."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        children = tree.children(word.index)
-        copulas = [child for child in children if child.deprel == "cop"]
-        below = [*children, *(inner for copula in copulas for inner in tree.children(copula.index))]
-        if word.deprel == "obj" and copulas and any(child.deprel.startswith("nsubj") for child in below):
+        if word.deprel == "obj" and tree.has_copula_and_subject(word.index):
             edit.relabel(word.index, "ccomp")
     return edit.tree()
