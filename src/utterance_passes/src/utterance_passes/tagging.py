@@ -339,8 +339,8 @@ def small_names_as_verbs(forms: Sequence[str], tags: Sequence[str], vocabulary: 
     found: List[Retag] = []
     for position, (form, tag) in enumerate(zip(forms, tags), start=1):
         is_unknown = form.islower() and form.isalpha() and not parts_of_speech(form)
-        is_verb = tag != "VERB" or form.endswith(_VERB_ENDINGS) or vocabulary.verbs_beginning_with(form)
-        if position == 1 or is_verb or not is_unknown:
+        is_known_verb = form.endswith(_VERB_ENDINGS) or bool(vocabulary.verbs_beginning_with(form))
+        if position == 1 or tag != "VERB" or is_known_verb or not is_unknown:
             continue
         before, behind = forms[position - 2].lower(), next(iter(tags[position:]), "PUNCT")
         if before == "to" and position > 2 and behind in _BEHIND_NAMES:

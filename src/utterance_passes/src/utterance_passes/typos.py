@@ -34,8 +34,8 @@ _FINAL = " .!?"
 _GERUND = "ing"
 _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
-#: Behind these prepositions stands no verb: "look at marco" has no "march".
 _TO = "to"
+#: Behind these prepositions stands no verb: "look at marco" has no "march".
 _BEFORE_NAMES = (word_class("directional_prepositions") | word_class("place_prepositions")) - {_TO}
 #: What stands behind a whole phrase; nothing, too.
 _ENDS_OF_PHRASES = frozenset(["", *word_class("words_between_commands")])
