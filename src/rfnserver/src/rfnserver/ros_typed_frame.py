@@ -84,8 +84,10 @@ class _NotedElement(FilledFrameElement):
     """An element that tells when its argument is read."""
 
     def __init__(self, element: FilledFrameElement, note: Callable[[str], None]) -> None:
-        self._note = note
+        # The constructor of a message reads its fields.
+        self._note: Callable[[str], None] = lambda _name: None
         super().__init__(element.name, element.argument)
+        self._note = note
 
     def __getattribute__(self, attribute: str) -> Any:
         if attribute == "argument":
