@@ -100,7 +100,7 @@ class Client:
 
 
 def story(name: str) -> List[Record]:
-    """Return what a client sees: success, abort, a forgotten end, an exception, a cancel, a goal that replaces another."""
+    """Return what a client sees: success, abort, a forgotten end, an exception, a cancel, a goal that replaces one."""
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3, 2)]
     cancelled = client.send(LONG)

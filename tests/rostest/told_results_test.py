@@ -4,9 +4,9 @@
 import unittest
 from typing import Any, List
 
-from other_actions import FOLLOW_JOINTS, PICK_CUBE
 from roboframenet_msgs.msg import Reply
 
+from other_actions import FOLLOW_JOINTS, PICK_CUBE
 from rfnserver import RFNActionServer, RFNServer
 from roboframenet_rostest import say, wait_for_pipeline
 

@@ -10,7 +10,7 @@ from frame_bindings.condition_file import ConditionBinding, read_condition
 from frame_bindings.statements import read_statement
 from rfnserver.goal_binding import SOURCE_KEYS
 from rfnserver.results import BY_CONVENTION, ERROR_KEYS, ResultNames
-from semantic_frames.marked_yaml import Reader, describe
+from semantic_frames.marked_yaml import Reader, describe, is_empty
 from semantic_frames.problem import FileRefused
 from semantic_frames.server_statement import STATEMENT_KEYS
 
@@ -178,7 +178,7 @@ def _result_names(reader: Reader, entries: Mapping[str, yaml.Node], key: str) ->
 
 
 def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:
-    if node is None:
+    if node is None or is_empty(node):
         return {}
     if not isinstance(node, yaml.MappingNode):
         reader.report("WRONG_TYPE", node, key, describe(node), "a mapping of fields to elements")

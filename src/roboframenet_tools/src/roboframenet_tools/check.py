@@ -10,7 +10,7 @@ from stanford_parser_ros.inference import ModelError
 EXAMPLES = """examples:
   rfn check my_domain
   rfn check --examples my_domain
-  rfn check my_domain/frames/waving.yaml --with my_domain
+  rfn check my_domain/frames/winking.yaml --with my_domain
 
 exit status: 0 no problems, 1 problems, 2 wrong usage
 """
