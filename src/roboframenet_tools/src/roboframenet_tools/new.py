@@ -13,7 +13,7 @@ EXAMPLES = """examples:
   rfn new winking                             the verb is "wink"
   rfn new winking --verb blink --folder my_robot
   rfn new winking --package src/my_robot      a catkin package, with launch file and rostest
-  rfn new counting --verb count --from-action actionlib_tutorials/Fibonacci.action
+  rfn new computing --verb compute --from-action actionlib_tutorials/Fibonacci.action
   rfn check --examples my_robot
 
 It refuses to overwrite a file, and the name of a shipped frame; an existing package gets the files of one more ability.

@@ -94,15 +94,15 @@ def test_new_package_and_a_second_ability(tmp_path, capsys):
 
 
 def test_new_from_an_action_fills_its_fields(tmp_path):
-    words = ["new", "counting", "--from-action", "actionlib_tutorials/Fibonacci.action", "--folder", str(tmp_path)]
+    words = ["new", "computing", "--from-action", "actionlib_tutorials/Fibonacci.action", "--folder", str(tmp_path)]
     assert main(words) == 0
     knowledge, checked = load_paths([str(tmp_path)])
     assert find_problems(knowledge, checked) == []
-    (element,) = knowledge.frames["counting"].frame_elements
+    (element,) = knowledge.frames["computing"].frame_elements
     assert (element.name, element.is_core) == ("order", True)
-    server = (tmp_path / "nodes" / "counting_server").read_text()
-    compile(server, "counting_server", "exec")
-    assert 'RFNServer("counting", FibonacciAction, execute_cb=execute' in server
+    server = (tmp_path / "nodes" / "computing_server").read_text()
+    compile(server, "computing_server", "exec")
+    assert 'RFNServer("computing", FibonacciAction, execute_cb=execute' in server
 
 
 def test_new_from_an_action_without_fields_needs_no_elements(tmp_path):
