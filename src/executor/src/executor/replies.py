@@ -93,7 +93,7 @@ def ending_of_run(
     if outcome == SUCCEEDED:
         # Also when a preemption was requested: it succeeded first.
         if story.is_time_lost:
-            return Ending(ReplyOutcome.FAILED, "LIMIT_REACHED", _text(*story.turns(), story.done_before(), failures))
+            return Ending(ReplyOutcome.FAILED, "LIMIT_REACHED", _text(*story.turns(), story.done_besides(), failures))
         done = f"Done, after {failures}" if failures else "Done."
         return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.answers(), *story.turns()))
     # A server that ignored the cancel may still move the robot; the person must know which one.
@@ -193,7 +193,9 @@ class _Story:
         failed = [(part, record) for part, record in self._clauses if record.outcome == ABORTED]
         reasons = [reason for reason in (_reason(part, record) for part, record in self._parts) if reason]
         if len(self._parts) == 1 and not reasons:
-            return "ALL_CANDIDATES_FAILED", f"Every way I tried failed: {describe_failures(self.goals)}"
+            ways = sum(goal.outcome is Outcome.FAILED for goal in self.goals)
+            what = "Every way I tried failed" if ways > 1 else "I could not do that"
+            return "ALL_CANDIDATES_FAILED", f"{what}: {describe_failures(self.goals)}"
         done = self._done()
         left = _labels(part for part, record in self._clauses if not record.begun)
         rest = f"I did not begin {left}." if left else ""
@@ -235,6 +237,11 @@ class _Story:
             *again,
             f"I did not begin {left}." if left else "",
         ]
+
+    def done_besides(self) -> str:
+        """Return a sentence that names the clauses that were done; empty for none."""
+        done = self._done()
+        return f"I did {done}." if done else ""
 
     def done_before(self) -> str:
         """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""

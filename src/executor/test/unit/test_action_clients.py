@@ -1,20 +1,20 @@
 """Connections that are kept for the next goal."""
 
-from typing import Dict, List
+from typing import ClassVar, Dict, List
 
 import pytest
 
 pytest.importorskip("actionlib")
 
-from executor import ros_action_clients  # noqa: E402
-from executor.ros_action_clients import ActionClients  # noqa: E402
+from executor import ros_action_clients
+from executor.ros_action_clients import ActionClients
 
 
 class Connection:
     """A connection whose server lives as long as ``alive`` says."""
 
-    alive: Dict[str, bool] = {}
-    closed: List[str] = []
+    alive: ClassVar[Dict[str, bool]] = {}
+    closed: ClassVar[List[str]] = []
 
     def __init__(self, server: str, _action_type: object) -> None:
         self.server = server
@@ -27,7 +27,7 @@ class Connection:
 
 
 def test_servers_that_are_gone_are_let_go_unless_a_goal_uses_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    Connection.alive, Connection.closed = {name: True for name in ("here", "gone", "used")}, []
+    Connection.alive, Connection.closed = dict.fromkeys(("here", "gone", "used"), True), []
     monkeypatch.setattr(ros_action_clients, "ActionConnection", Connection)
     clients = ActionClients(max_kept=9)
     monkeypatch.setattr(clients, "_close_later", clients._close_all)

@@ -275,7 +275,7 @@ def test_what_was_done_beside_something_stuck_is_told():
     events = [(0, OK), (1, OK), (2, OK, EndedBy.TIME), (3, CUT)]
     assert told(plan, *events, goals={3: cut("", False)}) == (
         "LIMIT_REACHED",
-        'I ended "drive" after 2 seconds. Before that, I did "hide".',
+        'I ended "drive" after 2 seconds. I did "hide".',
     )
 
 
