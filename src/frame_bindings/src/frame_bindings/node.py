@@ -129,7 +129,7 @@ def _start() -> List[Bound]:
     servers = bound_servers(settings.files)
     if not servers:
         raise StartError(f"no frame is bound; ~files: {', '.join(settings.files) or 'empty'}")
-    rospy.loginfo("%d frames are bound", len(servers))
+    rospy.loginfo("%d %s bound", len(servers), "frame is" if len(servers) == 1 else "frames are")
     for server in servers:
         server.register()
     return servers

@@ -54,5 +54,9 @@ def run(arguments: argparse.Namespace) -> int:
             return 2
     for problem in problems:
         print(problem)
-    print(f"{len(checked)} files, {len(problems)} problems")
+    print(f"{_count(len(checked), 'file')}, {_count(len(problems), 'problem')}")
     return 1 if problems else 0
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"

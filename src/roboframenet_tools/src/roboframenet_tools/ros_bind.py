@@ -166,7 +166,8 @@ def _which_frame(name: str, frames: Dict[str, List[BoundElement]], fitting: Tupl
         alike = difflib.get_close_matches(name, list(frames), n=1)
         hint = f"did you mean {alike[0]}?" if alike else f"'rfn new {name} --from-action TYPE' makes one"
         return f"there is no frame '{name}'; {hint}"
-    return f"which frame? Give --frame; these may fit: {', '.join(fitting) or 'none'}"
+    offered = f"these may fit: {', '.join(fitting)}" if fitting else "'rfn explain SENTENCE' names that of a sentence"
+    return f"which frame? Give --frame; {offered}"
 
 
 def _complain(sentence: str, status: int) -> int:
