@@ -14,11 +14,11 @@ from typed_arguments import FilledFrame
 class ServerProfiles:
     """Keeps from the latched topic what the executor needs to know of servers; any thread may ask."""
 
-    def __init__(self, *, default_silence_s: float, on_change: Callable[[], None] = lambda: None) -> None:
+    def __init__(self, on_change: Callable[[], None] = lambda: None, *, default_silence_s: float) -> None:
         """
         Args:
-            default_silence_s: for how long a condition may be silent whose server states nothing
             on_change: called, from a thread of rospy, when a server was added or is gone
+            default_silence_s: for how long a condition may be silent whose server states nothing
         """
         self._on_change = on_change
         self._default_silence_s = default_silence_s
