@@ -50,9 +50,11 @@ def relay() -> None:
     from actionlib.msg import TestAction, TestGoal
     from std_msgs.msg import String
 
+    from roboframenet_ros.ros_waiting import wait_for_action_server
+
     rospy.init_node("bare_relay")
     client = actionlib.SimpleActionClient("bare_server", TestAction)
-    client.wait_for_server()
+    assert wait_for_action_server(client, START_TIMEOUT_S), "the stock server does not answer"
     back = rospy.Publisher("bare_back", String, queue_size=10)
     rospy.Subscriber("bare_text", String, back.publish)
     rospy.Subscriber("bare_order", String, lambda message: client.send_goal(TestGoal()))
