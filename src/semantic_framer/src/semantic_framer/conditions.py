@@ -8,7 +8,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
-from semantic_framer.clock_times import clock_time_at
+from utterance_passes.clock_times import clock_time_at
 from semantic_framer.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading

@@ -2,7 +2,7 @@
 
 import pytest
 
-from semantic_framer.clock_times import clock_time_at
+from utterance_passes.clock_times import clock_time_at
 
 DAY_S = 86_400.0
 TODAY, TOMORROW = {"offset_s": 1.0}, {"offset_s": DAY_S}
