@@ -8,7 +8,6 @@ from semantic_framer.attachment import (
     behind_description,
     has_postmodifiers,
     is_all_at_first_of_two_places,
-    is_direction,
     is_later_item,
     is_of_one_direction,
     is_of_something,
@@ -25,9 +24,17 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
+from semantic_framer.default_values import is_said_otherwise
+from semantic_framer.frame_roles import DESCRIBED, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.measured_elements import is_setting, measured_elements, measures_as_in_2012, numeral_at
+from semantic_framer.measured_elements import (
+    asks_for_a_measure,
+    is_in_a_measure,
+    is_setting,
+    measured_elements,
+    measures_as_in_2012,
+    numeral_at,
+)
 from semantic_framer.reading import Reading
 from semantic_framer.required_relations import TOWARDS, lacks_all_required, may_have
 from semantic_framer.sentence import Sentence
@@ -74,6 +81,7 @@ def read_clause(
     """
     amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
+    is_measuring = any(asks_for_a_measure(unit) for match in matches for unit in known.lexicon.units_of(match.verb))
     for match in matches:
         for unit in known.lexicon.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
@@ -83,7 +91,7 @@ def read_clause(
                 if trace is not None:
                     write_unit(trace, sentence, match, unit, None, unit.relations)
                 continue
-            filling = _Filling(sentence, clause, unit, frame, match, amounts)
+            filling = _Filling(sentence, clause, unit, frame, match, amounts, is_measuring=is_measuring)
             reading = filling.reading()
             if trace is not None:
                 if reading is not None:
@@ -105,6 +113,8 @@ class _Filling:
         frame: SemanticFrame,
         match: VerbMatch,
         amounts: Tuple[Amount, ...],
+        *,
+        is_measuring: bool,
     ) -> None:
         self._sentence = sentence
         self._clause = clause
@@ -112,6 +122,7 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
+        self._is_measuring = is_measuring
         #: How well a phrase fits the types of the relation that it fills, by element.
         self._fits: Dict[str, Fit] = {}
         self._heads: Dict[str, int] = {}
@@ -242,16 +253,10 @@ class _Filling:
             self._note("reattached", self._sentence.subtree(head), f"{name} of the verb, not part of {governor}")
 
     def _is_in_a_measure(self, head: int) -> bool:
-        """Whether a word is part of a measure ("two degrees"), not a thing; a bare number may be one ("give me 5")."""
-        return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and (amount.unit or self._is_end(amount, head))
-            for amount in ([] if measures_as_in_2012(self._unit) else self._amounts)
+        return any(head in amount.positions for amount in self._amount_of.values()) or (
+            not measures_as_in_2012(self._unit)
+            and is_in_a_measure(self._sentence, head, self._amounts, is_measuring=self._is_measuring)
         )
-
-    def _is_end(self, amount: Amount, head: int) -> bool:
-        """Whether a word ends a range that includes its preposition: "fifteen" in "ten to fifteen"."""
-        cases = [child.index for child in self._sentence.children(head) if child.deprel == "case"]
-        return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
     def _is_core(self, name: str) -> bool:
         element = self._frame.element(name)
@@ -370,11 +375,10 @@ class _Filling:
         return tuple(found)
 
     def _is_said_otherwise(self, element: FrameElement) -> bool:
-        """Whether the clause says something for an element that cannot fill it; the default is not meant then."""
-        if element.framenet != DIRECTION:
-            return element.name in self._unread
         understood = frozenset(self._match.positions).union(*map(self._sentence.subtree, self._heads.values()))
-        return any(is_direction(self._sentence.tree, index) for index in self._clause.positions - understood)
+        return is_said_otherwise(
+            self._sentence, self._clause, self._frame, element, unread=self._unread, understood=understood
+        )
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""

@@ -1,0 +1,66 @@
+"""Says whether the default of an element is meant: it is not where the sentence says something else for the element."""
+
+from typing import Collection, FrozenSet
+
+from semantic_framer.attachment import is_direction
+from semantic_framer.frame_roles import DIRECTION
+from semantic_framer.iterations import times_said
+from semantic_framer.sentence import Sentence
+from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
+from utterance_passes.clauses import Clause
+from utterance_passes.measures import find_amounts
+
+
+def is_said_otherwise(
+    sentence: Sentence,
+    clause: Clause,
+    frame: SemanticFrame,
+    element: FrameElement,
+    *,
+    unread: Collection[str],
+    understood: FrozenSet[int],
+) -> bool:
+    """Whether something is said that may be meant for an element that has nothing but its default.
+
+    Args:
+        sentence: the sentence
+        clause: the clause that is read
+        frame: its frame
+        element: the element with the default
+        unread: the elements for which amounts are said that cannot fill them
+        understood: the words that fill other elements, and those of the verb
+    """
+    if element.framenet == DIRECTION:
+        return any(is_direction(sentence.tree, index) for index in clause.positions - understood)
+    if element.name in unread:
+        return True
+    measured = next((one for one in frame.frame_elements if element.name in (one.name, one.unit_element)), element)
+    if measured.quantity is None:
+        return False
+    is_of_another = _has_amount_of_another(sentence, clause, measured.quantity)
+    return is_of_another or (measured.quantity is Quantity.ANGLE and _is_counted(sentence, clause, frame))
+
+
+def _has_amount_of_another(sentence: Sentence, clause: Clause, quantity: Quantity) -> bool:
+    """Whether a clause with the same verb has an amount that may be that of both: "turn left and right *20 degrees*"."""
+    tree = sentence.tree
+    if not any(word.index in tree.sharing_a_verb for word in tree.children(clause.verb)):
+        return False
+    others = tree.subtree(clause.verb) - clause.positions
+    return any(
+        others & frozenset(amount.positions) and (not amount.unit or amount.quantity == quantity.value)
+        for amount in find_amounts(tree, [word.index for word in tree.words if word.index not in tree.quoted])
+    )
+
+
+def _is_counted(sentence: Sentence, clause: Clause, frame: SemanticFrame) -> bool:
+    """Whether a turn to no side is counted: "spin around once" goes all the way round, and not by the default."""
+    forms = [sentence.word(index).form.lower() for index in sorted(clause.positions)]
+    sides = {
+        value
+        for one in frame.frame_elements
+        if one.framenet == DIRECTION
+        for value in one.values
+        if value != one.default
+    }
+    return not sides & set(forms) and any(times_said(forms[place:]) for place in range(len(forms)))
