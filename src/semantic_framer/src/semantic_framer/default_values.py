@@ -7,8 +7,11 @@ from semantic_framer.frame_roles import DIRECTION
 from semantic_framer.iterations import times_said
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
-from utterance_passes.clauses import Clause
+from utterance_passes.clauses import Clause, is_then
 from utterance_passes.measures import find_amounts
+from word_classes import word_class
+
+_LEFT_AND_RIGHT = word_class("left_and_right")
 
 
 def is_said_otherwise(
@@ -38,13 +41,15 @@ def is_said_otherwise(
     if measured.quantity is None:
         return False
     is_of_another = _has_amount_of_another(sentence, clause, measured.quantity)
-    return is_of_another or (measured.quantity is Quantity.ANGLE and _is_counted(sentence, clause, frame))
+    return is_of_another or (measured.quantity is Quantity.ANGLE and _is_all_the_way(sentence, clause))
 
 
 def _has_amount_of_another(sentence: Sentence, clause: Clause, quantity: Quantity) -> bool:
     """Whether a clause with the same verb has an amount that may be that of both: "turn left and right *20 degrees*"."""
     tree = sentence.tree
-    if not any(word.index in tree.sharing_a_verb for word in tree.children(clause.verb)):
+    sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb]
+    # "Turn left, *then* right 20 degrees" are two turns, each with its own amount.
+    if not sharing or any(is_then(child) for word in sharing for child in tree.children(word.index)):
         return False
     others = tree.subtree(clause.verb) - clause.positions
     return any(
@@ -53,14 +58,9 @@ def _has_amount_of_another(sentence: Sentence, clause: Clause, quantity: Quantit
     )
 
 
-def _is_counted(sentence: Sentence, clause: Clause, frame: SemanticFrame) -> bool:
-    """Whether a turn to no side is counted: "spin around once" goes all the way round, and not by the default."""
+def _is_all_the_way(sentence: Sentence, clause: Clause) -> bool:
+    """Whether a turn to neither side is to be made once: "spin around once" goes all the way round, and not by the
+    default; who turns twice turns by the default each time."""
     forms = [sentence.word(index).form.lower() for index in sorted(clause.positions)]
-    sides = {
-        value
-        for one in frame.frame_elements
-        if one.framenet == DIRECTION
-        for value in one.values
-        if value != one.default
-    }
-    return not sides & set(forms) and any(times_said(forms[place:]) for place in range(len(forms)))
+    counts = [times[0] for place in range(len(forms)) for times in [times_said(forms[place:])] if times is not None]
+    return counts == [1] and _LEFT_AND_RIGHT.isdisjoint(forms)

@@ -78,7 +78,10 @@ def _clock_times(tree: DependencyTree, forms: List[str]) -> Iterator[Tuple[int, 
     while place < len(forms):
         clock = clock_time_at(forms[place:])
         end = place + clock.length if clock is not None else place
-        if clock is None or not clock.is_certain or _modifies(tree, end) or _is_measured(tree, end):
+        # "Turn to 3 o'clock" says where to.
+        is_goal = place > 0 and forms[place - 1] == "to" and not (place > 1 and _is_of_a_time(forms[place - 2]))
+        is_time = clock is not None and clock.is_certain and not is_goal
+        if clock is None or not is_time or _modifies(tree, end) or _is_measured(tree, end):
             place += 1
             continue
         has_preposition = place > 0 and forms[place - 1] in _BEFORE_CLOCKS
