@@ -39,6 +39,12 @@ def agreement(text: str) -> Optional[bool]:
     return meant.pop() if len(meant) == 1 else None
 
 
+def in_words(text: str) -> str:
+    """Return "yes" or "no" for a text of nothing but thumbs that mean the same; another text as it is."""
+    is_yes = agreement(text) if not any(map(str.isalnum, text)) else None
+    return text if is_yes is None else "yes" if is_yes else "no"
+
+
 def _longest(words: Sequence[str]) -> Optional[Tuple[Optional[bool], int]]:
     """Return what the longest phrase at the front of some words means, and its length; None for other words."""
     phrases = _phrases()
