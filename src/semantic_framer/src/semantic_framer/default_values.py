@@ -1,17 +1,23 @@
-"""Says whether the default of an element is meant: it is not where the sentence says something else for the element."""
+"""Says whether a default is meant: it is not where the sentence may say something else for the element."""
 
-from typing import Collection, FrozenSet
+from typing import Collection, FrozenSet, List, Mapping
 
 from semantic_framer.attachment import is_direction
 from semantic_framer.frame_roles import DIRECTION
 from semantic_framer.iterations import times_said
+from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
+from semantic_types import Fit
+from typed_arguments import Source
 from utterance_passes.clauses import Clause, is_then
 from utterance_passes.measures import find_amounts
 from word_classes import word_class
 
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_IN = "in"
+#: FrameNet's name of going somewhere, and its semantic type of places.
+_GOING, _PLACES = "Motion", ("Location",)
 
 
 def is_said_otherwise(
@@ -64,3 +70,34 @@ def _is_all_the_way(sentence: Sentence, clause: Clause) -> bool:
     forms = [sentence.word(index).form.lower() for index in sorted(clause.positions)]
     counts = [times[0] for place in range(len(forms)) for times in [times_said(forms[place:])] if times is not None]
     return counts == [1] and _LEFT_AND_RIGHT.isdisjoint(forms)
+
+
+def may_say_direction(sentence: Sentence, reading: Reading, frames: Mapping[str, SemanticFrame]) -> bool:
+    """Whether a phrase that nothing heeds may say where to, while the direction is only a default: "move *in reverse*".
+
+    A yes to go on without it would move the robot the other way.
+    """
+    directions = [
+        reading.argument(element.name)
+        for element in frames[reading.unit.frame_name].frame_elements
+        if element.framenet == DIRECTION
+    ]
+    is_default = any(one is not None and one.source is Source.DEFAULT for one in directions)
+    return is_default and any(
+        _is_bare_in(sentence, extra.head_position)
+        for extra in reading.extra or ()
+        if 0 < extra.head_position <= len(sentence.tree.words)
+    )
+
+
+def is_no_place(sentence: Sentence, head: int, frame: SemanticFrame) -> bool:
+    """Whether a bare noun says how somebody goes, and not where to: "go in *reverse*", "go in *style*"."""
+    is_bare_in = frame.framenet == _GOING and _is_bare_in(sentence, head)
+    return is_bare_in and sentence.types.fit(head, _PLACES) is Fit.WRONG
+
+
+def _is_bare_in(sentence: Sentence, head: int) -> bool:
+    """Whether a noun has "in" before it, and nothing else: "in reverse"."""
+    children = [child for child in sentence.children(head) if child.deprel != "punct"]
+    is_alone = all(child.deprel == "case" and child.form.lower() == _IN for child in children)
+    return sentence.word(head).upos == "NOUN" and bool(children) and is_alone

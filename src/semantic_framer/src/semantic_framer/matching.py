@@ -24,7 +24,7 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.default_values import is_said_otherwise
+from semantic_framer.default_values import is_no_place, is_said_otherwise
 from semantic_framer.frame_roles import DESCRIBED, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import (
@@ -206,14 +206,12 @@ class _Filling:
                 head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
             ]
         for path in relation.relations:
-            if path in static:
-                heads = places if path == static[0] else []
-            else:
-                heads = self._follow(path, is_wanted)
+            heads = self._follow(path, is_wanted) if path not in static else places if path == static[0] else []
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
-                if is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()]):
+                is_later = is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()])
+                if is_later or is_no_place(self._sentence, head, self._frame):
                     continue
                 # "Until you are at the door": the door is no place of the verb.
                 if path.steps[-1].startswith("prep_") and self._sentence.word(head).deprel == "advcl":
@@ -230,11 +228,11 @@ class _Filling:
                 listed = listed or frozenset([head] if relation.is_limited and fit is Fit.LIKELY else [])
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
                 numeral = numeral_at(head, path, self._amounts) if not relation.words else None
-                if numeral is not None and numeral.is_doubtful:
-                    self._unread[relation.name] = (numeral,)
-                    return
                 if numeral is not None:
-                    self._numeral_of[relation.name] = numeral
+                    if numeral.is_doubtful:
+                        self._unread[relation.name] = (numeral,)
+                    else:
+                        self._numeral_of[relation.name] = numeral
                     return
                 is_measure = self._is_in_a_measure(head) and not is_setting(self._frame, relation, head, self._amounts)
                 if not relation.words and (is_measure or is_adverb):

@@ -70,7 +70,8 @@ def measured_elements(
         ]
         if not fitting:
             continue
-        if fitting[0].is_doubtful or (fitting[0].is_share and quantity is not Quantity.NUMBER):
+        is_number_of_step = _names_a_step(sentence, fitting[0], verb_positions)
+        if is_number_of_step or fitting[0].is_doubtful or (fitting[0].is_share and quantity is not Quantity.NUMBER):
             unread[relation.name] = tuple(fitting)
             continue
         free.remove(fitting[0])
@@ -95,6 +96,13 @@ def measured_elements(
         if assumed is not None:
             amount_of[relation.name] = amount_of[element.unit_element] = assumed
     return MeasuredElements(amount_of, unread)
+
+
+def _names_a_step(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
+    """Whether a bare number right behind the verb numbers it: "*step 1:* go to the kitchen" has no step forward."""
+    unit = find_unit(sentence.word(verb_positions[-1]).form)
+    is_behind = amount.positions[0] == verb_positions[-1] + 1
+    return unit is not None and unit.is_assumed and is_behind and not amount.unit
 
 
 def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
