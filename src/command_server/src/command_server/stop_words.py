@@ -144,7 +144,7 @@ class _Sentence:
         return None
 
     def _corrects_an_amount(self, position: int, end: int) -> bool:
-        """Whether nothing but another amount follows, in a command with one: "forward one metre, no wait, two metres"."""
+        """Whether nothing but another amount follows: "move forward one metre, no wait, two metres"."""
         behind = [word for word in self._words[end:] if word not in _ADDRESSING]
         before = self._words[:position]
         has_amount = any(unit in LENGTHS and _is_of_amounts(word) for word, unit in zip(before, before[1:]))

@@ -30,7 +30,10 @@ def outcome(said: Understanding) -> str:
         ("Return to the charger at 8am", "AT navigating_to_location(goal=the charger)"),
         ("Go to the office at seven forty-five.", "AT navigating_to_location(goal=the office)"),
         ("Close the window at six oh five.", "AT closing(container_portal=the window)"),
-        ("Bring the mug to Anna in the kitchen at 18:45", "AT bringing(theme=the mug, beneficiary=Anna in the kitchen)"),
+        (
+            "Bring the mug to Anna in the kitchen at 18:45",
+            "AT bringing(theme=the mug, beneficiary=Anna in the kitchen)",
+        ),
         (
             "Put the mug on the table near the lamp at 7:45 am.",
             "AT placing(theme=the mug, goal=the table near the lamp)",

@@ -1,6 +1,6 @@
 """Says whether a default is meant: it is not where the sentence may say something else for the element."""
 
-from typing import Collection, FrozenSet, List, Mapping
+from typing import Collection, FrozenSet, Mapping
 
 from semantic_framer.attachment import is_direction
 from semantic_framer.frame_roles import DIRECTION
@@ -51,7 +51,7 @@ def is_said_otherwise(
 
 
 def _has_amount_of_another(sentence: Sentence, clause: Clause, quantity: Quantity) -> bool:
-    """Whether a clause with the same verb has an amount that may be that of both: "turn left and right *20 degrees*"."""
+    """Whether a clause with the same verb has an amount that may be of both: "turn left and right *20 degrees*"."""
     tree = sentence.tree
     sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb]
     # "Turn left, *then* right 20 degrees" are two turns, each with its own amount.

@@ -130,8 +130,8 @@ def hear(
     heard = _Hearing(now, without).hear(tree, context)
     pending = heard.context.pending
     if pending is not None and pending is not question:
-        said = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""
-        pending = replace(pending, asked=speaker, question=said)
+        words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""
+        pending = replace(pending, asked=speaker, question=words)
     elif is_of_another:
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)

@@ -1,5 +1,7 @@
-"""Finds a deed with an amount that is said twice with nothing between: recognisers write a number in two ways, "turn left
-2 turn left two"."""
+"""Finds a deed with an amount that is said twice with nothing between, "turn left 2 turn left two".
+
+Speech recognisers write one number in two ways.
+"""
 
 from typing import FrozenSet, Sequence, Tuple
 

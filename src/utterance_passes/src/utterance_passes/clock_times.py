@@ -227,7 +227,7 @@ def _minutes_said(forms: Sequence[str]) -> Tuple[int, int]:
         return (after, 2) if after else (0, 0)
     for length in (3, 2, 1):
         said = forms[:length]
-        is_joined = length < 3 or said[1:2] and said[1] == "-"
+        is_joined = length < 3 or (len(said) > 1 and said[1] == "-")
         words = [form for form in said if form != "-"]
         minute = _number(" ".join(words), 59) if is_joined and len(said) == length and _AT not in words else None
         if minute is not None and minute >= 10:

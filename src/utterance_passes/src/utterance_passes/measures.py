@@ -170,7 +170,9 @@ def _is_unreadable(tree: DependencyTree, index: int, amounts: Sequence[Amount]) 
     for *30xyz*"; "room 12b" and "the 7up" are names."""
     form = tree.word(index).form
     is_taken = index in tree.fillers or any(index in amount.positions for amount in amounts)
-    return not is_taken and _WRITTEN_ON.fullmatch(form) is not None and is_number(tree, index) and stands_free(tree, index)
+    return (
+        not is_taken and _WRITTEN_ON.fullmatch(form) is not None and is_number(tree, index) and stands_free(tree, index)
+    )
 
 
 def stands_free(tree: DependencyTree, index: int) -> bool:
