@@ -96,6 +96,7 @@ def test_an_amount_is_the_amount_or_nothing_is_done(pipeline: Pipeline, text: st
         ("Stack the tin on the crate and put them in the tray.", "asked"),
         ("Move in reverse.", "refused"),
         ("Drive in reverse 1 meter.", "refused"),
+        ("Go in reverse.", "refused"),
         ("go in kitchen", "navigating_to_location(goal=kitchen)"),
         ("bring ali the mug", "bringing(theme=the mug, beneficiary=ali)"),
     ],
@@ -135,3 +136,23 @@ def test_a_new_command_takes_the_place_of_a_question(pipeline: Pipeline) -> None
     after = pipeline.understand("Go to the kitchen.", question.context)
     assert after.reply.outcome == "DONE"
     assert pipeline.understand("yes", after.context).reply.outcome == "REFUSED"
+
+
+def test_a_yes_names_no_place(pipeline: Pipeline) -> None:
+    question = pipeline.understand("go to the kit kitchen")
+    for answer in ("that is what I want", "uh huh", "yes"):
+        after = pipeline.understand(answer, question.context)
+        assert after.reply.sentence.endswith(f"I still ask: {question.reply.sentence}")
+    assert pipeline.understand("the office", question.context).reply.outcome == "DONE"
+
+
+def test_right_is_a_direction_where_one_is_asked_for(pipeline: Pipeline) -> None:
+    question = pipeline.understand("spin")
+    assert outcome(pipeline.understand("right", question.context)).startswith("turning(")
+
+
+def test_what_was_heard_twice_is_done_twice_on_a_yes(pipeline: Pipeline) -> None:
+    question = pipeline.understand("turn left 2 turn left two")
+    twice = "turning(direction=left, angle=2, angle_unit=degrees)"
+    assert outcome(pipeline.understand("yes", question.context)) == f"{twice} + {twice}"
+    assert pipeline.understand("no", question.context).reply.code == "DECLINED"

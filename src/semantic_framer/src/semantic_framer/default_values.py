@@ -83,7 +83,8 @@ def may_say_direction(sentence: Sentence, reading: Reading, frames: Mapping[str,
         if element.framenet == DIRECTION
     ]
     is_default = any(one is not None and one.source is Source.DEFAULT for one in directions)
-    return is_default and any(
+    is_going_nowhere = frames[reading.unit.frame_name].framenet == _GOING and bool(reading.missing)
+    return (is_default or is_going_nowhere) and any(
         _is_bare_in(sentence, extra.head_position)
         for extra in reading.extra or ()
         if 0 < extra.head_position <= len(sentence.tree.words)

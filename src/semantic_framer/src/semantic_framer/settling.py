@@ -131,10 +131,10 @@ def _settled(
                 words = sentence.text(readings[0].left_over)
                 now.write("left_over_words", words, "refused. No element has these words.")
                 return left_over_refusal(sentence, readings[0].left_over, readings[0].unheeded), context
-        twice = said_twice([readings[0] for readings in clauses])
+        twice = "" if is_confirmed else said_twice([readings[0] for readings in clauses])
         if twice:
             now.write("said_twice", twice, "asked. Nothing stands between both.")
-            pending = Pending(without_positions(clauses), 0, (), now.expires_s, is_about_words=True, plan=plan)
+            pending = Pending(without_positions(clauses), 0, (), now.expires_s, plan=plan)
             text = f'I heard "{twice}" twice. Shall I do it twice? Say yes or no.'
             return Question("CONFIRM", text), replace(context, pending=pending)
         extra = [argument for readings in clauses for argument in readings[0].extra or ()]
