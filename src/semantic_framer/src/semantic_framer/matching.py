@@ -91,7 +91,7 @@ def read_clause(
                 if trace is not None:
                     write_unit(trace, sentence, match, unit, None, unit.relations)
                 continue
-            filling = _Filling(sentence, clause, unit, frame, match, amounts, is_measuring=is_measuring)
+            filling = _Filling(sentence, clause, unit, frame, match, amounts, known.without, is_measuring)
             reading = filling.reading()
             if trace is not None:
                 if reading is not None:
@@ -113,9 +113,10 @@ class _Filling:
         frame: SemanticFrame,
         match: VerbMatch,
         amounts: Tuple[Amount, ...],
-        *,
+        without: FrozenSet[str],
         is_measuring: bool,
     ) -> None:
+        self._without = without
         self._sentence = sentence
         self._clause = clause
         self._unit = unit
@@ -289,7 +290,7 @@ class _Filling:
 
     def _reattached(self, preposition: str, is_core: bool) -> List[int]:
         """Return the phrases that the parser attached to an object although the unit asks for them at the verb."""
-        if not preposition or not (is_core or preposition in DIRECTIONAL):
+        if not preposition or not (is_core or preposition in DIRECTIONAL) or "reattached" in self._without:
             return []
         found: List[int] = []
         for noun, is_object in self._nouns:
@@ -381,7 +382,7 @@ class _Filling:
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
         noun = self._sentence.subtree(head) - left_out
-        if not noun or not has_postmodifiers(self._sentence.tree, head):
+        if not noun or "places_behind" in self._without or not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
         if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
@@ -409,7 +410,7 @@ class _Filling:
 
     def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the adverb before the preposition of a phrase: "close" in "close to the door"."""
-        phrase = self._sentence.subtree(head) - left_out
+        phrase = self._sentence.subtree(head) - left_out if "words_before" not in self._without else frozenset()
         free = self._clause.positions - left_out - frozenset(self._heads.values())
         return words_before(self._sentence.tree, self._clause.verb, min(phrase), free) if phrase else frozenset()
 
