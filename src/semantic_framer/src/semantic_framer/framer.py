@@ -56,6 +56,10 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import continued, lasting, said_after
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
+from word_classes import agreement
+
+#: Codes of refusals that end an open question: what it asks about is forbidden, taken back or put right.
+_ENDING_QUESTIONS = frozenset([PROHIBITION, CORRECTION, DECLINED])
 
 __all__ = [
     "Alternatives",
@@ -127,10 +131,13 @@ def hear(
     heard = _Hearing(now).hear(tree, context)
     pending = heard.context.pending
     if pending is not None and pending is not question:
-        pending = replace(pending, asked=speaker)
+        words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""
+        pending = replace(pending, asked=speaker, question=words)
     elif is_of_another:
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
+    if pending is question and not is_of_another and isinstance(outcome, Refusal):
+        pending = None if outcome.code in _ENDING_QUESTIONS else pending
     said = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
     last = last_command(outcome, heard.context.last, said_s, said)
     asked = _last_question(heard, said_s)
@@ -202,11 +209,36 @@ class _Hearing:
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
-        known, policy = self._now.known, self._now.policy
+        heard = self._answered(meant, pending, context)
+        return heard if heard is not None else self._with_open(pending, meant, self._read_in_world(meant, context))
+
+    def _with_open(self, pending: Pending, meant: Sentence, heard: Heard) -> Heard:
+        """Keep a question open beside which only something else was said: talk, a question, or what is not understood.
+
+        A new command, or a new question to the person, takes its place.
+        """
+        outcome, frames = heard.outcome, self._now.known.frames
+        if heard.context.pending is not None or not pending.question:
+            return heard
+        if isinstance(outcome, Understood):
+            best = [readings[0] for readings in outcome.clauses]
+            if not all(frames[reading.unit.frame_name].is_question for reading in best):
+                return heard
+        elif isinstance(outcome, Refusal) and outcome.code not in _ENDING_QUESTIONS:
+            said = outcome.sentence if agreement(meant.tree.text) is None else "That is no answer to my question."
+            heard = replace(heard, outcome=replace(outcome, sentence=f"{said} I still ask: {pending.question}"))
+        else:
+            return heard
+        self._now.write("answer", pending.question, "is still open")
+        return replace(heard, context=replace(heard.context, pending=pending))
+
+    def _answered(self, meant: Sentence, pending: Pending, context: Context) -> Optional[Heard]:
+        """Understand an utterance as an answer to the open question; None if it is none."""
+        tree, known, policy = meant.tree, self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
             if choice is None:
-                return self._read_in_world(meant, context)
+                return None
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
@@ -221,13 +253,19 @@ class _Hearing:
         if pending.open_time:
             plan = time_answered(meant, pending)
             if plan is None:
-                return self._read_in_world(meant, context)
+                return None
             self._now.write("answer", tree.text, str(plan))
             return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan), meant)
+        asked = zip(pending.clauses[pending.clause], pending.elements)
+        elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
+        # "Right" may be a direction; any other yes names nothing: "that is what I want".
+        named = {value for one in elements if one is not None for value in one.values}
+        if elements and agreement(tree.text) and named.isdisjoint(word.form.lower() for word in tree.words):
+            return None
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
-            return self._read_in_world(meant, context)
+            return None
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words

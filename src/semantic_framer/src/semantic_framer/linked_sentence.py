@@ -6,7 +6,6 @@ from typing import Optional, Sequence, Tuple, Union
 from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
-from semantic_framer.clock_times import clock_time_at
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
@@ -28,6 +27,7 @@ from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.clauses import find_clauses
+from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import ASIDE, QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 from word_classes import word_class

@@ -9,7 +9,7 @@ from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import PROHIBITION, REPORT, TALK, LeftOverWords, Outcome, Question, Understood
+from semantic_framer.outcome import PROHIBITION, REPORT, TALK, LeftOverWords, Outcome, Question, Refusal, Understood
 from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
@@ -22,6 +22,9 @@ from semantic_framer.things_asked_for import as_said, asked_for
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
 from utterance_passes.clauses import Clause, find_clauses
+from word_classes import agreement
+
+_NO_QUESTION = "I have no open question."
 
 
 def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
@@ -38,6 +41,10 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         now.write("utterance_kind", sentence.tree.text, str(kind))
         return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
     clauses_of_tree = find_clauses(sentence.tree, now.known)
+    if _answers_nothing(sentence, now):
+        kind = KindVerdict(UtteranceKind.TALK, "agreements")
+        now.write("utterance_kind", sentence.tree.text, str(kind))
+        return Heard(Refusal(TALK, _NO_QUESTION), context, sentence, is_small_talk=True)
     change = None
     if now.policy.fragment_timeout_s and "fragment" not in now.known.without:
         change = change_of(sentence, clauses_of_tree, context, now.known)
@@ -81,6 +88,13 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         ignored = " ".join(sentence.word(index).form for index in words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
     return Heard(outcome, context, sentence, clauses)
+
+
+def _answers_nothing(sentence: Sentence, now: Now) -> bool:
+    """Whether an utterance is a yes, and no command ("go ahead"); a no may be said against something that runs."""
+    words = [word for word in sentence.tree.words if word.upos != "PUNCT"]
+    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].form.lower()))
+    return not is_command and agreement(sentence.tree.text) is True
 
 
 def _told(sentence: Sentence, told: Sequence[Clause], context: Context) -> Context:

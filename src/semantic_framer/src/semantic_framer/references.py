@@ -195,7 +195,9 @@ def _meant_by(
     if not is_plural and _is_rather_there(place, thing if of_number else None, wanted, types):
         return place
     if is_plural and not of_number and thing is not None:
-        return _together(things, thing)
+        both = _together(things, thing)
+        # "Stack the tin on the crate and put *them* in the tray": the crate may be one of them.
+        return None if both is thing and place is not None else both
     return thing or place
 
 

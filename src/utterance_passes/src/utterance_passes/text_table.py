@@ -41,11 +41,11 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
     _text(
         "fraction_signs",
-        "Write the sign for a fraction in digits.",
-        "2½",
+        "Write the sign for a fraction, and digits of another width, in plain digits.",
+        "２½",
         "2 1/2",
-        spelling.FRACTION_SIGN,
-        spelling.ratio,
+        spelling.NUMBER_SIGN,
+        spelling.number_sign,
     ),
     _text(
         "fraction_slash", "Write the slash in a fraction as a plain one.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"
