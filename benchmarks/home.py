@@ -10,8 +10,8 @@ import sys
 import time
 
 import psutil
-from own_graph import BARE, OwnGraph
-from processor_time import pid_of, processor_s
+from measuring.own_graph import BARE, OwnGraph
+from measuring.processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 5.0

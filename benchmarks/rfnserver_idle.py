@@ -16,7 +16,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Dict, List, Sequence
 
-from own_graph import free_port
+from measuring.own_graph import free_port
 
 IN_ONE_PROCESS = 200
 PROCESSES = 50
@@ -140,7 +140,6 @@ def report(what: str, ours: float, theirs: float, unit: str, limit: str, is_held
 def goals_per_s(name: str) -> float:
     """Goals per second, the next one sent when the one before has ended."""
     import actionlib
-    import rospy
     from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal
 
     from roboframenet_ros.ros_waiting import wait_for_action_server

@@ -16,8 +16,8 @@ import time
 from math import ceil
 from typing import Dict, List, Sequence
 
-from arrivals import Arrivals, quantiles, wait_for_connections
-from own_graph import OwnGraph
+from measuring.arrivals import Arrivals, quantiles, wait_for_connections
+from measuring.own_graph import OwnGraph
 
 START_TIMEOUT_S = 300.0
 ANSWER_TIMEOUT_S = 60.0

@@ -18,7 +18,7 @@ BY_OTHER_CLOCKS = {
 
 def sources() -> List[Path]:
     """Return the modules of our packages and the benchmarks, without their tests."""
-    return sorted([*REPOSITORY.glob("src/*/src/**/*.py"), *REPOSITORY.glob("benchmarks/*.py")])
+    return sorted([*REPOSITORY.glob("src/*/src/**/*.py"), *REPOSITORY.glob("benchmarks/**/*.py")])
 
 
 @pytest.mark.parametrize("pattern", BY_OTHER_CLOCKS)
