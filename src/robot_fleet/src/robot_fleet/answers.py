@@ -49,10 +49,12 @@ class OpenUtterance:
 
     Attributes:
         orders: its orders
+        remark: what the reply says before the answers; empty for nothing
         answers: those that count
     """
 
     orders: Tuple[Order, ...]
+    remark: str = ""
     answers: List[Answer] = field(default_factory=list)
     _waiting: Dict[Tuple[int, str], None] = field(default_factory=dict)
     _begun: int = 0
@@ -107,7 +109,7 @@ class OpenUtterance:
         sentence = _told(sorted(self.answers, key=lambda one: addressed.index(one.robot)))
         for order in self.orders[self._begun :]:
             sentence += f' I did not ask {listed(order.robots)} to do this: "{order.text}".'
-        return replace(worst, sentence=sentence)
+        return replace(worst, sentence=f"{self.remark} {sentence}".strip())
 
 
 def _told(answers: Sequence[Answer]) -> str:

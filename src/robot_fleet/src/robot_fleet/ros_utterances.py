@@ -71,7 +71,7 @@ class Utterances:
 
     def _open(self, command: Command, decided: Addressed, now_s: float) -> None:
         rospy.loginfo("cmd=%s is for %s", command.id, "; ".join(", ".join(order.robots) for order in decided.orders))
-        entry = _Entry(command, OpenUtterance(decided.orders))
+        entry = _Entry(command, OpenUtterance(decided.orders, decided.remark))
         self._entries[command.id] = entry
         entry.unsent += [(sending, now_s) for sending in entry.utterance.begin()]
         self.send()
