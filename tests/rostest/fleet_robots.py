@@ -87,7 +87,7 @@ class Robots:
     def wait_until_ready(self, frames: Tuple[str, ...] = ("turning", "moving_forward")) -> None:
         """Return when all robots take part, their servers are registered, and the parser runs."""
         wanted = {(robot, frame) for robot in self.names for frame in frames}
-        wait_until(lambda: self.members() == self.names and self.service.is_up, _WAIT_S)
+        wait_until(lambda: self.members() == tuple(sorted(self.names)) and self.service.is_up, _WAIT_S)
         wait_until(lambda: wanted <= {(one.profile.robot, one.frame_name) for one in self._servers.callbacks}, _WAIT_S)
         # stop_server and fleet must hear what is said.
         wait_until(lambda: self._texts[""].get_num_connections() >= 1 + len(self.names), _WAIT_S)
