@@ -9,7 +9,7 @@ import rospy
 from roboframenet_msgs.msg import Reply
 
 from fleet_robots import ROBOTS, Robots, kill
-from roboframenet_testing import comes_true, wait_until
+from roboframenet_testing import wait_until
 
 _REPLY_S, _LATER_S = 40.0, 8.0
 
@@ -25,11 +25,11 @@ class FleetKillsTest(unittest.TestCase):
         return [reply for reply in self.robots.replies[since:] if reply.command.text == text]
 
     def assert_each_has_one_reply(self, since: int, texts: List[str]) -> None:
-        for text in set(texts):
-            count = texts.count(text)
-            self.assertTrue(
-                comes_true(lambda: len(self.replies_to(since, text)) >= count, _REPLY_S), f"no reply: {text}"
-            )
+        wait_until(
+            lambda: all(len(self.replies_to(since, text)) >= texts.count(text) for text in texts),
+            _REPLY_S,
+            f"no reply to one of {texts}",
+        )
         time.sleep(_LATER_S)
         for text in set(texts):
             found = self.replies_to(since, text)
