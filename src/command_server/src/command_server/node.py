@@ -34,7 +34,7 @@ from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
 from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal
 from command_server.ros_going_on import StoppedPlans
-from command_server.ros_language_service import DOWN, LanguageService
+from command_server.ros_language_service import LanguageService
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
@@ -100,7 +100,6 @@ class CommandServerNode:
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
-
         self._texts, self._language = TextsOut(), LanguageService()
         command_plan = HandOver("command_plan", CommandPlan)
         self._orders_due = OrdersDue(self._commands, command_plan, on_not_begun=self._conclude)
@@ -240,11 +239,7 @@ class CommandServerNode:
         elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             sentence = "Too many commands are waiting already."
             self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR", sentence=sentence)
-        elif self._stopped_plans.takes(command):
-            return
-        elif self._language.is_down:
-            self._answer_at_once(command, Outcome.FAILED, code="STAGE_SILENT", sentence=DOWN)
-        else:
+        elif not (self._stopped_plans.takes(command) or self._language.declines(command, self._answer_at_once)):
             self._commands.open(command)
             self._texts.add(command)
             self._replies.note(f"Heard {command.text!r}.")

@@ -45,6 +45,7 @@ class AddressWords:
         numbers: "three", by the word
         ordinals: "third", by the word
         sounds_like: the number that a word after a title may stand for
+        of_you: the form of a modal with "you"
     """
 
     designators: Mapping[str, Phrases]
@@ -53,6 +54,7 @@ class AddressWords:
     numbers: Mapping[str, int]
     ordinals: Mapping[str, int]
     sounds_like: Mapping[str, str]
+    of_you: Mapping[str, str]
 
 
 @lru_cache(maxsize=None)
@@ -61,7 +63,7 @@ def address_words() -> AddressWords:
     content = yaml.safe_load(read_text(str(ADDRESSES_FILE)))
     designators = content.pop("designators")
     numbers, ordinals = ({word: at for at, word in enumerate(content.pop(name))} for name in ("numbers", "ordinals"))
-    sounds_like = content.pop("sounds_like")
+    sounds_like, of_you = content.pop("sounds_like"), content.pop("of_you")
     return AddressWords(
         designators={kind: Phrases(phrases) for kind, phrases in designators.items()},
         phrases={name: Phrases(phrases) for name, phrases in content.items()},
@@ -69,4 +71,5 @@ def address_words() -> AddressWords:
         numbers=numbers,
         ordinals=ordinals,
         sounds_like=sounds_like,
+        of_you=of_you,
     )

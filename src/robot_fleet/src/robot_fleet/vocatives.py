@@ -11,12 +11,7 @@ from command_server.stop_words import find_cry
 from robot_fleet.address_words import address_words
 from robot_fleet.robot_names import number_of
 
-#: The other forms of a modal, as they are said to "you".
-_OF_YOU = {"has": "have", "needs": "need", "is": "are"}
-#: Units after which a name at the end is set off without a comma: "turn left ten degrees Beta".
-_UNITS = LENGTHS | {"second", "seconds", "minute", "minutes", "time", "times"}
 _NEGATED = "n't"
-_QUESTIONS = frozenset("where what who whose whom how why which when".split())
 
 
 class Calls:
@@ -43,7 +38,7 @@ class Calls:
             and number_of(word) is None
             and word not in self._verbs
             and word not in _NO_NAMES
-            and not any(word in single[name] for name in _SMALL_WORDS)
+            and not any(word in words for words in single.values())
             and find_cry(word) is None
         )
 
@@ -81,12 +76,13 @@ class Calls:
         if position >= len(self._words):
             return False
         word = self._words[position]
-        return (
-            word in self._verbs or word in COMMAND_VERBS or word in STRONG or word in ("don't", "do", "never", "let's")
-        )
+        return word in self._verbs or word in COMMAND_VERBS or word in STRONG or word in self._single["order_starts"]
 
     def _asks_or_waits(self, position: int) -> bool:
-        return self._words[position] in _QUESTIONS or self._lists["fronts"].length_at(self._words, position) > 0
+        return (
+            self._words[position] in self._single["questions"]
+            or self._lists["fronts"].length_at(self._words, position) > 0
+        )
 
     def modal_at(self, position: int) -> Optional[Tuple[str, int]]:
         """Return what is said to "you" in the place of a modal, and where its verb begins: "has to" is "you have to".
@@ -107,7 +103,7 @@ class Calls:
             self._words[behind] in self._single["polite"] or self._words[behind].endswith("ly")
         ):
             behind += 1
-        modal = " ".join(_OF_YOU.get(word, word) for word in self._words[position : position + length])
+        modal = " ".join(address_words().of_you.get(word, word) for word in self._words[position : position + length])
         said = "don't" if is_negated else f"you {modal}"
         rest = " ".join(self._words[behind:])
         word = self._words[behind] if behind < len(self._words) else ""
@@ -118,12 +114,7 @@ class Calls:
     def ends_amount(self, position: int) -> bool:
         """Whether the word before a position is a unit or a number: what follows is no part of it."""
         before = self._words[position - 1]
-        return before in _UNITS or number_of(before) is not None
+        return before in LENGTHS or before in self._single["units"] or number_of(before) is not None
 
 
-#: Lists of `addresses.yaml` whose words are no names.
-_SMALL_WORDS = (
-    "no_names greetings kept_before polite auxiliaries negations you behind_names before_you before_last_names "
-    "pronouns prepositions joiners alternatives connectors sequels fronts titles nobody exceptions"
-).split()
 _NO_NAMES = NO_NAMES | SAYING | COMMAND_VERBS | STRONG | WARNINGS | FILLERS | AMOUNTS | LENGTHS
