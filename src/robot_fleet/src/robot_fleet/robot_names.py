@@ -6,7 +6,7 @@ from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 from robot_fleet.address_words import address_words
 
 _PIECE = re.compile(r"\d+|[^\W\d_]+")
-_ORDINAL = re.compile(r"(\d+)[a-z]{2}")
+_ORDINAL = re.compile(r"(\d+)(?:st|nd|rd|th)")
 #: The number of a robot: at the end of its name, and the only one in it.
 _NUMBER = re.compile(r"[^\W\d_]*[\s_-]*(\d+)|.*[\s_-](\d+)")
 #: "Robot number three".
