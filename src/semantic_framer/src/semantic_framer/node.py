@@ -40,7 +40,7 @@ from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 from roboframenet_ros.ros_stage import Stage
 from robot_fleet.addressing import listed, others_addressed, spoken
-from robot_fleet.designators import Names
+from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon

@@ -27,7 +27,7 @@ from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
-from robot_fleet.designators import Names
+from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
