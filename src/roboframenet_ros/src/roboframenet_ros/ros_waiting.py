@@ -51,7 +51,7 @@ def wait_for_message(topic: str, message_type: Any, timeout_s: float) -> Any:
     Raises:
         rospy.ROSException: none came, or ROS shuts down
     """
-    messages: "queue.Queue[Any]" = queue.Queue()
+    messages: queue.Queue[Any] = queue.Queue()
     subscriber = rospy.Subscriber(topic, message_type, messages.put)
     end_s = time.monotonic() + timeout_s
     try:

@@ -20,7 +20,7 @@ def _is_for_files_alone() -> bool:
 
 
 def _log(level: int, msg: Any, *args: Any) -> None:
-    """Log to the standard logger, and print what nobody would see: the program may have set up no log, or only files."""
+    """Log to the standard logger, and print what nobody would see: a program may have no log, or one in files alone."""
     if _LOGGER.hasHandlers():
         _LOGGER.log(level, msg, *args)
     if level >= logging.INFO and _is_for_files_alone():
