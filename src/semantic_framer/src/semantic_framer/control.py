@@ -111,7 +111,8 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
         return reading
     if has_end(reading, frame) or reading.control.is_said or reading.missing:
         return reading
-    return replace(reading, control=replace(reading.control, is_kept_up=True))
+    positions = reading.control.positions | {before.index}
+    return replace(reading, control=replace(reading.control, is_kept_up=True, positions=positions))
 
 
 def has_end(reading: Reading, frame: SemanticFrame) -> bool:

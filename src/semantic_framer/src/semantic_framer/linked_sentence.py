@@ -7,7 +7,7 @@ from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.clock_times import clock_time_at
-from semantic_framer.deeds import deeds_of
+from semantic_framer.deeds import deeds_of, words_told
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
@@ -129,7 +129,7 @@ def read_linked(
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
         outcome, after = doubt, replace(context, pending=pending)
-    return Heard(outcome, after, sentence, clauses)
+    return Heard(outcome, after, sentence, clauses, named=joints.positions | words_told(case, clauses))
 
 
 def _asked_of_condition(

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Sequence, Tuple
 
 from semantic_framer.choices import choices_left_open
-from semantic_framer.deeds import deeds_of
+from semantic_framer.deeds import deeds_of, words_told
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
@@ -14,6 +14,7 @@ from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
 from semantic_framer.references import thing_told
+from semantic_framer.said_words import positions_named
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
@@ -43,7 +44,7 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         change = change_of(sentence, clauses_of_tree, context, now.known)
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
-        return Heard(*_changed(change, sentence, context, now), sentence)
+        return Heard(*_changed(change, sentence, context, now), sentence, named=change.positions)
     wanted = asked_for(sentence, clauses_of_tree, now.known)
     if wanted is not None:
         now.write("things_asked_for", sentence.tree.text, wanted.tree.text)
@@ -79,7 +80,8 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
         ignored = " ".join(sentence.word(index).form for index in words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
-    return Heard(outcome, context, sentence, clauses)
+    wished = positions_named(read.kept[0] for read in clauses if read.kept[0].is_wish)
+    return Heard(outcome, context, sentence, clauses, named=words_told(case, clauses) | wished)
 
 
 def _told(sentence: Sentence, told: Sequence[Clause], context: Context) -> Context:
