@@ -44,7 +44,7 @@ from semantic_framer.plain_sentence import read_plain
 from semantic_framer.questions import remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
-from semantic_framer.said_words import positions_named, words_left
+from semantic_framer.said_words import words_left
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
@@ -213,7 +213,8 @@ class _Hearing:
         policy, sentence = self._now.policy, heard.sentence
         if policy.left_over_words not in CAREFUL or sentence is None or heard.is_answer:
             return heard
-        lost = words_left(sentence.tree, positions_named(_readings_of(heard)) | heard.named) if _acts(heard) else ()
+        is_asked = isinstance(heard.outcome, Question)
+        lost = words_left(sentence.tree, _readings_of(heard), heard.named, is_asked=is_asked) if _acts(heard) else ()
         if not lost:
             return heard
         self._now.write("said_words", " ".join(lost), "refused. Nothing that was understood has these words.")

@@ -221,7 +221,7 @@ def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> 
     how_often: FrozenSet[int] = frozenset()
     is_careful = case.of.policy.left_over_words in CAREFUL
     if is_careful and ITERATION not in (heeded or ()):
-        reading, how_often = with_times(case.sentence, case.clause, reading)
+        reading, how_often = with_times(case.sentence, case.clause, reading, case.of.known.frames[name])
     found = replace(reading, extra=extra_arguments(case.sentence, case.clause, reading.left_over))
     if found.extra and heeded is not None:
         found = _with_heeded(case, found, heeded, trace)

@@ -19,9 +19,12 @@ from semantic_framer.phrase_table import PhraseTable
 from semantic_framer.reading import Reading
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
+from semantic_types.parts_of_speech import VERB, parts_of_speech
 from typed_arguments import TypedArgument
+from utterance_passes.avoided_places import PREPOSITION
 from utterance_passes.formula_file import is_filler, pattern_of
-from utterance_passes.tree import ABANDONED, DependencyTree, Word
+from utterance_passes.objections import plain
+from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
@@ -45,16 +48,33 @@ _FORMULAS = tuple(
         "phrases_of_hesitation",
     )
 )
+_COMPARISONS = pattern_of("comparisons")
 _OBJECTIONS = pattern_of("objections")
 #: The most words of a formula.
 _LONGEST = 16
-_PADDING = word_class("padding")
-_AUXILIARIES = word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
-_SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
-_WRAPPING = word_class("verbs_around_requests") | word_class("assuring_verbs")
 _ADDRESSED = word_class("robot_names") | word_class("those_addressed") | word_class("greetings")
 _ARTICLES = word_class("articles")
 _ASPECTUAL = word_class("aspectual_verbs")
+_AUXILIARIES = word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
+_CROSSING = word_class("prepositions_of_crossing")
+_DOING = word_class("forms_of_do")
+_EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
+_FINITE = frozenset(["VBZ", "VBP"])
+_FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
+_OF_AMOUNTS = frozenset(["for", "by"])
+_OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
+_PADDING = word_class("padding")
+_REASONS = word_class("reason_conjunctions")
+_SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
+_FINDING = word_class("finding_verbs")
+_TOLD = word_class("modals") | word_class("object_pronouns")
+_UNFINISHED = word_class("only_before_nouns")
+_WISHES = (
+    word_class("verbs_around_requests")
+    | word_class("assuring_verbs")
+    | word_class("causative_verbs")
+    | word_class("verbs_of_duty")
+)
 #: A letter, a digit, or a sign of either.
 _RUN = re.compile(r"[^\W_]+")
 
@@ -114,14 +134,22 @@ def _add(argument: TypedArgument, found: Set[int]) -> None:
             _add(element, found)
 
 
-def words_left(tree: DependencyTree, named: AbstractSet[int]) -> Tuple[str, ...]:
+def words_left(
+    tree: DependencyTree,
+    readings: Sequence[Reading],
+    others: AbstractSet[int] = frozenset(),
+    *,
+    is_asked: bool = False,
+) -> Tuple[str, ...]:
     """Return the words as they were said that nothing accounts for, in order; none if no word is lost.
 
     Args:
         tree: the sentence that was understood, with its text as it was said
-        named: positions of the words that are understood: of readings, links, and of what was only told
+        readings: the best one of each clause that is done
+        others: positions of words that no reading has, and that are understood: links, and what is only told
+        is_asked: whether a person is asked something first, so that a phrase may be unfinished: "bring me the"
     """
-    return _Check(tree, frozenset(named)).left()
+    return _Check(tree, readings, others, is_asked).left()
 
 
 @dataclass(frozen=True)
@@ -134,42 +162,182 @@ class _Said:
 
 
 class _Check:
-    def __init__(self, tree: DependencyTree, named: FrozenSet[int]) -> None:
+    def __init__(
+        self, tree: DependencyTree, readings: Sequence[Reading], others: AbstractSet[int], is_asked: bool
+    ) -> None:
         self._tree = tree
-        self._named = named
-        self._covered = _phrase_positions(tree)
-        self._left = frozenset(word.index for run in self._runs() for word in _unread_of(self, run))
+        arguments = [argument for reading in readings for argument in reading.arguments]
+        self._measured = frozenset(
+            index for one in arguments if one.measure is not None for index in one.positions
+        )
+        self._lemmas = frozenset(lemma for one in arguments for lemma in _lemmas(one))
+        self._is_asked = is_asked
+        self._named = positions_named(readings) | others
+        self._words = [word for word in tree.words if _RUN.search(word.form)]
+        self._forms = [word.form.lower().replace("\u2019", "'") for word in self._words]
+        self._said = _said(tree.text)
+        self._forms_said = frozenset(one.form for one in self._said)
+        self._covered = self._phrases() | self._opening() | self._excluded()
 
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
-        places = {word.start: word.form for word in self._lost_in_rewriting()}
-        places.update((word.start_character, word.form) for word in self._tree.words if word.index in self._left)
+        places = {one.start: self._tree.text[one.start : one.end] for one in self._lost_in_rewriting()}
+        for run in self._runs():
+            places.update((word.start_character, word.form) for word in self._unread_of(run))
         return (*(places[place] for place in sorted(places)), *_signs(self._tree.text))
+
+    # --- words of the tree
+
+    def _phrases(self) -> FrozenSet[int]:
+        """Return the positions of phrases that may go unread, and of comparisons, which hold words that are read."""
+        found: Set[int] = set()
+        for place in range(len(self._words)):
+            length = shipped_unread_words().at(self._forms[place:])[1]
+            texts = (" ".join(self._forms[place:end]) for end in range(place + 3, min(place + 9, len(self._words) + 1)))
+            compared = next((len(text.split()) for text in texts if _COMPARISONS.fullmatch(text)), 0)
+            if max(length, compared) > 1:
+                found.update(word.index for word in self._words[place : place + max(length, compared)])
+        return frozenset(found)
+
+    def _opening(self) -> FrozenSet[int]:
+        """Return the positions of the words that correct what was said before: "no, *I said* turn right"."""
+        words = self._tree.words
+        first = next((word.index for word in words if word.index in self._named), 0)
+        said = " ".join(plain(word) for word in words[: max(0, first - 1)])
+        return frozenset(range(1, first)) if _OBJECTIONS.fullmatch(said) else frozenset()
+
+    def _excluded(self) -> FrozenSet[int]:
+        """Return the positions of what is not to be done, up to a mark: "*do not bring me the red cup* but the blue
+        one". It is not done."""
+        found: Set[int] = set()
+        for place, word in enumerate(self._words):
+            if word.index in found or word.index in self._named or word.form.lower() not in _EXCLUDING:
+                continue
+            is_of_two = self._forms[place : place + 2] == ["instead", "of"]
+            fronts = () if is_of_two else range(max(0, place - _LONGEST), place + 1)
+            if any(front + _formula_length(self._forms[front:]) > place for front in fronts):
+                continue  # "If you do *not* mind" forbids nothing.
+            behind = self._tree.words[word.index - 1 :]
+            ends = (one.index for one in behind if one.upos == "PUNCT" or one.form.lower() == "but")
+            end = next(ends, len(self._tree.words) + 1)
+            first = word.index - (word.index > 1 and self._tree.word(word.index - 1).form.lower() in _DOING)
+            found.update(range(first, end))
+        return frozenset(found)
 
     def _runs(self) -> Iterable[List[Word]]:
         """Yield the words between those that are understood."""
         run: List[Word] = []
-        for word in self._tree.words:
-            if word.index in self._named or word.index in self._covered:
-                if run:
-                    yield run
-                run = []
-            elif _RUN.search(word.form):
+        for word in self._words:
+            if word.index not in self._named | self._covered:
                 run.append(word)
+            elif run:
+                yield run
+                run = []
         if run:
             yield run
 
-    # --- what the text says, and the tree does not
+    def _unread_of(self, run: List[Word]) -> List[Word]:
+        """Return the words of a run that are no formula, no mood and no word that may go unread."""
+        forms = [word.form.lower().replace("\u2019", "'") for word in run]
+        left: List[Word] = []
+        place = 0
+        while place < len(run):
+            if self._is_reason(run[place:], forms[place:]):
+                return left  # It is no deed.
+            length = _formula_length(forms[place:]) or _unread_length(forms[place:])
+            if not length and not self._is_accounted_for(run[place]):
+                left.append(run[place])
+            place += length or 1
+        return left
+
+    def _is_reason(self, words: Sequence[Word], forms: Sequence[str]) -> bool:
+        """Whether words say why something is done, or what speaks against it: a conjunction and a clause."""
+        if forms[0] not in _REASONS and forms[:2] != ["so", "that"]:
+            return False
+        behind = self._tree.words[words[0].index :]
+        if len(words) == 1:
+            return bool(behind) and behind[0].index in self._named
+        begins = behind[0].upos == "PRON" or any(word.upos == "AUX" for word in words)
+        return begins or any(
+            word.xpos in _FINITE and VERB in parts_of_speech(word.lemma.lower()) for word in words[1:]
+        )
+
+    def _is_accounted_for(self, word: Word) -> bool:
+        judges = (
+            self._is_of_mood,
+            self._is_of_argument,
+            self._is_address,
+            self._is_of_exclusion,
+            self._is_of_named_things,
+        )
+        return word.deprel == ABANDONED or any(judge(word) for judge in judges)
+
+    def _is_of_mood(self, word: Word) -> bool:
+        """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go", "*start* going"."""
+        form, relation = word.form.lower(), word.deprel.split(":")[0]
+        if (relation in ("aux", "cop") and form in _AUXILIARIES) or (relation == "nsubj" and form in _SUBJECTS):
+            return True
+        before = self._tree.word(word.index - 1).lemma.lower() if word.index > 1 else ""
+        if form == "by" and before in _ASPECTUAL:
+            return True
+        behind = next((one for one in self._tree.words[word.index :] if one.form.lower() not in ("to", "by")), None)
+        if word.lemma.lower() in _ASPECTUAL and behind is not None and behind.index in self._named:
+            return True
+        return word.lemma.lower() in _WISHES
+
+    def _is_of_argument(self, word: Word) -> bool:
+        """Whether a word belongs to words that are understood: "make *a* turn", "*for* two minutes", "say *that* ..."."""
+        form, is_of_named = word.form.lower(), word.head in self._named
+        if form in _ARTICLES and word.deprel == "det" and is_of_named:
+            return True
+        if form in _OF_AMOUNTS and self._is_before_amount(word):
+            return True
+        if form in _OF_STATEMENTS and word.deprel == "mark" and is_of_named:
+            return True
+        if form in _FORMS_OF_BE | frozenset(["where"]) and is_of_named:
+            return True
+        if form in _TOLD and word.deprel == ASIDE and not _FINDING.isdisjoint(self._forms_said):
+            return True  # "You *will* find *him* at the desk" says where he is.
+        return self._is_asked and form in _UNFINISHED
+
+    def _is_before_amount(self, word: Word) -> bool:
+        behind = [one.index for one in self._tree.words[word.index : word.index + 2]]
+        return not self._measured.isdisjoint(behind)
+
+    def _is_address(self, word: Word) -> bool:
+        """Whether a word calls the hearer."""
+        if word.form.lower() in _ADDRESSED:
+            return True
+        words = self._tree.words
+        beside = [*words[max(0, word.index - 2) : word.index - 1], *words[word.index : word.index + 1]]
+        is_apart = any(one.upos == "PUNCT" for one in beside)
+        return word.deprel == "vocative" and (word.upos == "PROPN" or is_apart)
+
+    def _is_of_exclusion(self, word: Word) -> bool:
+        """Whether a word belongs to what is to be avoided: "without going *through* the hall", "*while* avoiding it"."""
+        form = word.form.lower()
+        behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
+        is_excluded = any(one.form.lower() in _EXCLUDING for one in self._tree.words[: word.index])
+        return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
+
+    def _is_of_named_things(self, word: Word) -> bool:
+        """Whether a word names things that are said one by one, too: "*two cups*, a red one and a blue one"."""
+        is_number = word.upos in ("NUM", "DET") and word.index < len(self._tree.words)
+        thing = self._tree.word(word.index + 1) if is_number else word
+        return thing.upos == "NOUN" and thing.lemma.lower() in self._lemmas
+
+    # --- words of the text that the tree does not have
 
     def _lost_in_rewriting(self) -> List[_Said]:
         """Return the words of the text that passes took out, or wrote in a way that means nothing."""
-        said = _said(self._tree.text)
+        said = self._said
         written = [
             (part, word.index) for word in self._tree.words for part in _RUN.findall(_plain(word.form))
         ]
         matcher = SequenceMatcher(None, [one.form for one in said], [form for form, _ in written], autojunk=False)
         gone: List[_Said] = []
         new: List[Tuple[str, int]] = []
+        is_paraphrased, blocks = False, 0
         for tag, first, last, begin, end in matcher.get_opcodes():
             if tag == "equal":
                 continue
@@ -180,8 +348,12 @@ class _Check:
             if block and is_meant and tag == "replace":
                 continue
             new += words
+            is_paraphrased |= tag == "insert" and is_meant
+            blocks += bool(block)
             if block and not _is_taken_back(self._tree.text, said, first, last):
                 gone += block
+        if is_paraphrased and blocks == 1:
+            return []  # "Check whether *I left* the stove on" asks "whether the stove *is* on".
         moved = [form for form, _ in new]
         left = []
         for one in gone:
@@ -190,18 +362,6 @@ class _Check:
             else:
                 left.append(one)
         return _not_unread(left, said)
-
-
-def _phrase_positions(tree: DependencyTree) -> FrozenSet[int]:
-    """Return the positions of the phrases that may go unread as they stand: "off *of*", "straight *ahead*"."""
-    words = [word for word in tree.words if _RUN.search(word.form)]
-    forms = [word.form.lower() for word in words]
-    found: Set[int] = set()
-    for place in range(len(words)):
-        length = shipped_unread_words().at(forms[place:])[1]
-        if length > 1:
-            found.update(word.index for word in words[place : place + length])
-    return frozenset(found)
 
 
 def _plain(text: str) -> str:
@@ -246,23 +406,6 @@ def _signs(text: str) -> Tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _unread_of(check: _Check, run: List[Word]) -> List[Word]:
-    """Return the words of a run that are no formula, no mood and no word that may go unread."""
-    tree, named = check._tree, check._named
-    forms = [word.form.lower().replace("’", "'") for word in run]
-    left: List[Word] = []
-    place = 0
-    while place < len(run):
-        length = _formula_length(forms[place:]) or _unread_length(forms[place:])
-        judges = (_is_of_mood, _is_article, _is_address, _is_taken_back_in_tree)
-        if not length and any(judge(tree, run[place], named) for judge in judges):
-            length = 1
-        if not length:
-            left.append(run[place])
-        place += length or 1
-    return left
-
-
 def _formula_length(forms: Sequence[str]) -> int:
     for end in range(min(len(forms), _LONGEST), 0, -1):
         text = " ".join(forms[:end])
@@ -272,29 +415,8 @@ def _formula_length(forms: Sequence[str]) -> int:
     return 0
 
 
-def _is_of_mood(tree: DependencyTree, word: Word, named: AbstractSet[int]) -> bool:
-    """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go"."""
-    form, relation = word.form.lower(), word.deprel.split(":")[0]
-    if (relation in ("aux", "cop") and form in _AUXILIARIES) or (relation == "nsubj" and form in _SUBJECTS):
-        return True
-    if relation == "mark" and form == "to":
-        return True
-    behind = next((other for other in tree.words[word.index :] if other.form.lower() != "to"), None)
-    if word.lemma.lower() in _ASPECTUAL and behind is not None and behind.index in named:
-        return True
-    return bool(named & tree.subtree(word.index)) and word.lemma.lower() in _WRAPPING
 
-
-def _is_article(tree: DependencyTree, word: Word, named: AbstractSet[int]) -> bool:
-    """Whether a word is the article of a noun that is understood: "make *a* turn"."""
-    return word.form.lower() in _ARTICLES and word.deprel == "det" and word.head in named
-
-
-def _is_address(tree: DependencyTree, word: Word, named: AbstractSet[int]) -> bool:
-    if word.form.lower() in _ADDRESSED:
-        return True
-    return word.deprel == "vocative" and word.upos == "PROPN"
-
-
-def _is_taken_back_in_tree(tree: DependencyTree, word: Word, named: AbstractSet[int]) -> bool:
-    return word.deprel == ABANDONED
+def _lemmas(argument: TypedArgument) -> Iterable[str]:
+    yield argument.lemma
+    for part in argument.members:
+        yield from _lemmas(part)
