@@ -25,6 +25,7 @@ GOING_ON = frozenset(
 #: Units of what is filled in without being said.
 _UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
 _EXACT = word_class("exact_adverbs")
+_LEFT_AND_RIGHT = word_class("left_and_right")
 _KEEPING = word_class("keeping_verbs")
 #: FrameNet's name of going somewhere, and its semantic type of places.
 _GOING, _PLACE = "Self_motion", "Location"
@@ -60,10 +61,10 @@ def with_times(
 
 
 def _is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
-    """Whether nobody said how far and in which direction to turn; "spin around *once*" says that it is no half turn."""
+    """Whether nobody said how far to turn, nor to which side: "spin around *once*" says that it is no half turn."""
     elements = {element.name for element in frame.frame_elements if element.quantity is Quantity.ANGLE}
     direction = reading.argument_in_role(DIRECTION, frame)
-    is_said = direction is not None and direction.source is not Source.DEFAULT
+    is_said = direction is not None and direction.text.lower() in _LEFT_AND_RIGHT
     return not is_said and any(one.source is Source.DEFAULT and one.name in elements for one in reading.arguments)
 
 

@@ -22,7 +22,7 @@ from semantic_frames.source_files import read_text
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.avoided_places import PREPOSITION
-from utterance_passes.formula_file import is_filler, pattern_of
+from utterance_passes.formula_file import WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
 from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
@@ -63,6 +63,7 @@ _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
+_GROUP = re.compile(r"\\\d")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -337,7 +338,6 @@ class _Check:
         matcher = SequenceMatcher(None, [one.form for one in said], [form for form, _ in written], autojunk=False)
         gone: List[_Said] = []
         new: List[Tuple[str, int]] = []
-        is_paraphrased, blocks = False, 0
         for tag, first, last, begin, end in matcher.get_opcodes():
             if tag == "equal":
                 continue
@@ -348,12 +348,8 @@ class _Check:
             if block and is_meant and tag == "replace":
                 continue
             new += words
-            is_paraphrased |= tag == "insert" and is_meant
-            blocks += bool(block)
             if block and not _is_taken_back(self._tree.text, said, first, last):
                 gone += block
-        if is_paraphrased and blocks == 1:
-            return []  # "Check whether *I left* the stove on" asks "whether the stove *is* on".
         moved = [form for form, _ in new]
         left = []
         for one in gone:
@@ -361,7 +357,20 @@ class _Check:
                 moved.remove(one.form)
             else:
                 left.append(one)
+        spans = self._spans_written_out() if left else ()
+        left = [one for one in left if not any(start <= one.start < end for start, end in spans)]
         return _not_unread(left, said)
+
+    def _spans_written_out(self) -> List[Tuple[int, int]]:
+        """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
+        *know*" is "tell Bob"."""
+        named = {_plain(self._tree.word(index).form) for index in self._named if 0 < index <= len(self._tree.words)}
+        return [
+            match.span()
+            for formula in shipped_formulas()[WRITTEN_OUT]
+            if named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
+            for match in formula.pattern.finditer(self._tree.text.lower())
+        ]
 
 
 def _plain(text: str) -> str:
@@ -378,6 +387,10 @@ def _is_taken_back(text: str, said: Sequence[_Said], first: int, last: int) -> b
     if block == [one.form for one in said[last : last + len(block)]]:
         return True
     if block == [one.form for one in said[max(0, first - len(block)) : first]]:
+        return True
+    # "Turn left turn forty degrees left": all words are said again, in their order.
+    left = iter([one.form for one in said[last:]])
+    if last < len(said) and len(block) > 1 and block[0] == said[last].form and all(form in left for form in block):
         return True
     return any(is_filler(form) for form in block) or text[said[last - 1].end : said[last - 1].end + 1] == "-"
 

@@ -1,7 +1,7 @@
 """Finds the clauses of a sentence: each verb that asks for something, with its words."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, List, Optional, Set, Tuple
+from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 
 from spoken_quantities import find_unit
 from utterance_passes.tree import DependencyTree, Word
@@ -58,6 +58,14 @@ class Clause:
     condition_positions: FrozenSet[int]
     subject: int = 0
 
+    def __post_init__(self) -> None:
+        """
+        Raises:
+            ValueError: it has no words
+        """
+        if not self.positions:
+            raise ValueError(f'the clause of "{self.lemma}" has no words')
+
 
 def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tuple[Clause, ...]:
     """Find what a sentence asks for, in the order in which it was said.
@@ -68,8 +76,9 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
     found: List[Tuple[int, bool]] = []
     for root in tree.children(0):
         _collect(tree, vocabulary, root, False, found)
+    found = [(index, is_negated) for index, is_negated in found if index not in tree.abandoned]
     verbs = {index for index, _ in found}
-    tops = {index: _above_serial(tree, _top(tree, index), verbs) for index in verbs}
+    tops = _tops(tree, verbs)
     clauses = []
     for index, is_negated in sorted(found):
         others: Set[int] = set()
@@ -204,6 +213,19 @@ def _top(tree: DependencyTree, verb: int) -> int:
     """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
     word = tree.word(verb)
     return word.head if word.deprel == "cop" else verb
+
+
+def _tops(tree: DependencyTree, verbs: Set[int]) -> Dict[int, int]:
+    """Return the top word of the clause of each verb; no two have the same, so that each clause has words.
+
+    In "go and look and open the door", "go" leads to the first of both deeds only.
+    """
+    tops: Dict[int, int] = {}
+    for verb in sorted(verbs):
+        top = _top(tree, verb)
+        possible = (_above_serial(tree, top, verbs), top, verb)
+        tops[verb] = next(one for one in possible if one == verb or one not in tops.values())
+    return tops
 
 
 def _above_serial(tree: DependencyTree, top: int, verbs: Set[int]) -> int:
