@@ -1,7 +1,7 @@
 """Understands a sentence whose deeds are joined by conditions and times: "wait until Anna comes, then greet her"."""
 
 from dataclasses import replace
-from typing import FrozenSet, Optional, Sequence, Tuple, Union
+from typing import Optional, Sequence, Tuple, Union
 
 from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import condition_places, find_joints
@@ -136,11 +136,8 @@ def read_linked(
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
         outcome, after = doubt, replace(context, pending=pending)
-    return Heard(outcome, after, sentence, clauses, named=_named(joints) | words_told(case, clauses) | waiting)
-
-
-def _named(joints: Joints) -> FrozenSet[int]:
-    return joints.positions.union(*(joint.items for joint in joints.found))
+    named = joints.positions.union(waiting, words_told(case, clauses), *(joint.items for joint in joints.found))
+    return Heard(outcome, after, sentence, clauses, named=named)
 
 
 def _asked_of_condition(

@@ -61,8 +61,8 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if asked:
         now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
         # The pattern of a question holds all of its words.
-        words = frozenset(word.index for word in sentence.tree.words)
-        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=words)
+        named = frozenset(word.index for word in sentence.tree.words)
+        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.

@@ -10,16 +10,12 @@ import re
 import unicodedata
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from functools import lru_cache
 from html import unescape
-from pathlib import Path
-from typing import AbstractSet, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
+from typing import AbstractSet, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
-from semantic_framer.phrase_table import PhraseTable
 from semantic_framer.reading import Reading
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
-from semantic_types.parts_of_speech import VERB, parts_of_speech
+from semantic_framer.unread_words import shipped_unread_words
+from semantic_types.parts_of_speech import NOUN, VERB, base_forms, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.avoided_places import PREPOSITION
 from utterance_passes.formula_file import WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
@@ -27,10 +23,6 @@ from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
-#: Next to this module in the source, devel and install space.
-UNREAD_WORDS_FILE = Path(__file__).resolve().parent / "unread_words.yaml"
-#: More words would hide what a person wants.
-MOST_UNREAD_WORDS = 40
 _FORMULAS = tuple(
     pattern_of(kind)
     for kind in (
@@ -55,14 +47,19 @@ _LONGEST = 16
 _ADDRESSED = word_class("robot_names") | word_class("those_addressed") | word_class("greetings")
 _ARTICLES = word_class("articles")
 _ASPECTUAL = word_class("aspectual_verbs")
-_AUXILIARIES = word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
-_CROSSING = word_class("prepositions_of_crossing")
 _DOING = word_class("forms_of_do")
+_AUXILIARIES = (
+    word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
+)
+_CROSSING = word_class("prepositions_of_crossing")
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
+_HEDGES = word_class("hedges")
+_HESITATION = pattern_of("phrases_of_hesitation")
+_BROKEN_OFF = re.compile(r"-,?\s")
 _GROUP = re.compile(r"\\\d")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
@@ -78,39 +75,6 @@ _WISHES = (
 )
 #: A letter, a digit, or a sign of either.
 _RUN = re.compile(r"[^\W_]+")
-
-
-def load_unread_words(text: str, path: str) -> PhraseTable[str]:
-    """Read the words that may go unread, each with its reason.
-
-    Args:
-        text: content of the file
-        path: path of the file, for problems
-    Raises:
-        FileRefused: lists every mistake in the file
-    """
-    reader = Reader(path)
-    found = {}
-    for key, item in reader.sequence(reader.compose(text, "a list of words"), ""):
-        entries = reader.mapping(item, key, ("words", "reason"), required=("words", "reason"))
-        reason = reader.name(entries.get("reason"), f"{key}.reason")
-        for phrase in reader.texts(entries["words"], f"{key}.words") if "words" in entries else ():
-            found[tuple(phrase.split())] = reason
-    count = sum(map(len, found))
-    if count > MOST_UNREAD_WORDS:
-        reader.report("TOO_MANY", None, "", f"{count} words", f"at most {MOST_UNREAD_WORDS}")
-    reader.refuse_if_wrong()
-    return PhraseTable(found)
-
-
-@lru_cache(maxsize=None)
-def shipped_unread_words() -> PhraseTable[str]:
-    """Return the words of ``unread_words.yaml``, read once.
-
-    Raises:
-        FileRefused: the file is wrong
-    """
-    return load_unread_words(read_text(str(UNREAD_WORDS_FILE)), str(UNREAD_WORDS_FILE))
 
 
 def positions_named(readings: Iterable[Reading]) -> FrozenSet[int]:
@@ -168,9 +132,7 @@ class _Check:
     ) -> None:
         self._tree = tree
         arguments = [argument for reading in readings for argument in reading.arguments]
-        self._measured = frozenset(
-            index for one in arguments if one.measure is not None for index in one.positions
-        )
+        self._measured = frozenset(index for one in arguments if one.measure is not None for index in one.positions)
         self._lemmas = frozenset(lemma for one in arguments for lemma in _lemmas(one))
         self._is_asked = is_asked
         self._named = positions_named(readings) | others
@@ -178,7 +140,8 @@ class _Check:
         self._forms = [word.form.lower().replace("\u2019", "'") for word in self._words]
         self._said = _said(tree.text)
         self._forms_said = frozenset(one.form for one in self._said)
-        self._covered = self._phrases() | self._opening() | self._excluded()
+        self._understood = self._named | self._opening() | self._excluded()
+        self._covered = self._phrases() | self._understood
 
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
@@ -229,7 +192,7 @@ class _Check:
         """Yield the words between those that are understood."""
         run: List[Word] = []
         for word in self._words:
-            if word.index not in self._named | self._covered:
+            if word.index not in self._covered:
                 run.append(word)
             elif run:
                 yield run
@@ -259,9 +222,7 @@ class _Check:
         if len(words) == 1:
             return bool(behind) and behind[0].index in self._named
         begins = behind[0].upos == "PRON" or any(word.upos == "AUX" for word in words)
-        return begins or any(
-            word.xpos in _FINITE and VERB in parts_of_speech(word.lemma.lower()) for word in words[1:]
-        )
+        return begins or any(word.xpos in _FINITE and VERB in parts_of_speech(word.lemma.lower()) for word in words[1:])
 
     def _is_accounted_for(self, word: Word) -> bool:
         judges = (
@@ -274,9 +235,11 @@ class _Check:
         return word.deprel == ABANDONED or any(judge(word) for judge in judges)
 
     def _is_of_mood(self, word: Word) -> bool:
-        """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go", "*start* going"."""
+        """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go", "*start* it"."""
         form, relation = word.form.lower(), word.deprel.split(":")[0]
         if (relation in ("aux", "cop") and form in _AUXILIARIES) or (relation == "nsubj" and form in _SUBJECTS):
+            return True
+        if form in _HEDGES:
             return True
         before = self._tree.word(word.index - 1).lemma.lower() if word.index > 1 else ""
         if form == "by" and before in _ASPECTUAL:
@@ -287,7 +250,7 @@ class _Check:
         return word.lemma.lower() in _WISHES
 
     def _is_of_argument(self, word: Word) -> bool:
-        """Whether a word belongs to words that are understood: "make *a* turn", "*for* two minutes", "say *that* ..."."""
+        """Whether a word belongs to words that are understood: "make *a* turn", "*for* an hour", "say *that* ..."."""
         form, is_of_named = word.form.lower(), word.head in self._named
         if form in _ARTICLES and word.deprel == "det" and is_of_named:
             return True
@@ -315,7 +278,7 @@ class _Check:
         return word.deprel == "vocative" and (word.upos == "PROPN" or is_apart)
 
     def _is_of_exclusion(self, word: Word) -> bool:
-        """Whether a word belongs to what is to be avoided: "without going *through* the hall", "*while* avoiding it"."""
+        """Whether a word belongs to what is avoided: "without going *through* the hall", "*while* avoiding it"."""
         form = word.form.lower()
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
         is_excluded = any(one.form.lower() in _EXCLUDING for one in self._tree.words[: word.index])
@@ -332,9 +295,7 @@ class _Check:
     def _lost_in_rewriting(self) -> List[_Said]:
         """Return the words of the text that passes took out, or wrote in a way that means nothing."""
         said = self._said
-        written = [
-            (part, word.index) for word in self._tree.words for part in _RUN.findall(_plain(word.form))
-        ]
+        written = [(part, word.index) for word in self._tree.words for part in _RUN.findall(_plain(word.form))]
         matcher = SequenceMatcher(None, [one.form for one in said], [form for form, _ in written], autojunk=False)
         gone: List[_Said] = []
         new: List[Tuple[str, int]] = []
@@ -344,7 +305,7 @@ class _Check:
             block, words = said[first:last], written[begin:end]
             if "".join(one.form for one in block) == "".join(form for form, _ in words):
                 continue
-            is_meant = any(index in self._named for _, index in words)
+            is_meant = any(index in self._understood for _, index in words)
             if block and is_meant and tag == "replace":
                 continue
             new += words
@@ -359,7 +320,10 @@ class _Check:
                 left.append(one)
         spans = self._spans_written_out() if left else ()
         left = [one for one in left if not any(start <= one.start < end for start, end in spans)]
-        return _not_unread(left, said)
+        things = {place for place, one in enumerate(said) if self._lemmas & set(base_forms(one.form, NOUN))}
+        told = {said[place].start for thing in things for place in (thing - 1, thing) if place >= 0}
+        # "*Two bottles*, one of water and one of milk" are one bottle of water and one bottle of milk.
+        return _not_unread([one for one in left if one.start not in told], said)
 
     def _spans_written_out(self) -> List[Tuple[int, int]]:
         """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
@@ -368,7 +332,7 @@ class _Check:
         return [
             match.span()
             for formula in shipped_formulas()[WRITTEN_OUT]
-            if named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
+            if formula.says or named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
             for match in formula.pattern.finditer(self._tree.text.lower())
         ]
 
@@ -392,7 +356,8 @@ def _is_taken_back(text: str, said: Sequence[_Said], first: int, last: int) -> b
     left = iter([one.form for one in said[last:]])
     if last < len(said) and len(block) > 1 and block[0] == said[last].form and all(form in left for form in block):
         return True
-    return any(is_filler(form) for form in block) or text[said[last - 1].end : said[last - 1].end + 1] == "-"
+    is_broken_off = any(_BROKEN_OFF.match(text, one.end) for one in said[first:last])
+    return is_broken_off or any(is_filler(form) for form in block)
 
 
 def _not_unread(words: List[_Said], said: Sequence[_Said]) -> List[_Said]:
@@ -400,7 +365,8 @@ def _not_unread(words: List[_Said], said: Sequence[_Said]) -> List[_Said]:
     forms = [one.form for one in said]
     unread: Set[int] = set()
     for place in range(len(said)):
-        unread.update(one.start for one in said[place : place + _unread_length(forms[place:])])
+        length = max(_unread_length(forms[place:]), _hesitation_length(forms[place:]))
+        unread.update(one.start for one in said[place : place + length])
     return [one for one in words if one.start not in unread]
 
 
@@ -409,6 +375,12 @@ def _unread_length(forms: Sequence[str]) -> int:
         return 0
     length = shipped_unread_words().at(forms)[1]
     return length or int(is_filler(forms[0]))
+
+
+def _hesitation_length(forms: Sequence[str]) -> int:
+    """Return the number of words at the front that are only said for thinking: "you know", "like"."""
+    lengths = (length for length in (2, 1) if _HESITATION.fullmatch(" ".join(forms[:length])))
+    return next(lengths, int(forms[:1] == ["like"]))
 
 
 def _signs(text: str) -> Tuple[str, ...]:
@@ -426,7 +398,6 @@ def _formula_length(forms: Sequence[str]) -> int:
         if any(pattern.fullmatch(text) or (padded and pattern.fullmatch(padded)) for pattern in _FORMULAS):
             return end
     return 0
-
 
 
 def _lemmas(argument: TypedArgument) -> Iterable[str]:

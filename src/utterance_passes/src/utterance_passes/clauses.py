@@ -1,9 +1,10 @@
 """Finds the clauses of a sentence: each verb that asks for something, with its words."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Optional, Set, Tuple
+from typing import FrozenSet, List, Optional, Set, Tuple
 
 from spoken_quantities import find_unit
+from utterance_passes.clause_tops import top_of, tops_of
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
@@ -78,7 +79,7 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
         _collect(tree, vocabulary, root, False, found)
     found = [(index, is_negated) for index, is_negated in found if index not in tree.abandoned]
     verbs = {index for index, _ in found}
-    tops = _tops(tree, verbs)
+    tops = tops_of(tree, verbs)
     clauses = []
     for index, is_negated in sorted(found):
         others: Set[int] = set()
@@ -207,32 +208,6 @@ def has_case(tree: DependencyTree, word: Word) -> bool:
 def prepositions_of(tree: DependencyTree, index: int) -> List[str]:
     """Return the prepositions of a word, in lower case and in order: "out", "of" for "out of the box"."""
     return [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
-
-
-def _top(tree: DependencyTree, verb: int) -> int:
-    """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
-    word = tree.word(verb)
-    return word.head if word.deprel == "cop" else verb
-
-
-def _tops(tree: DependencyTree, verbs: Set[int]) -> Dict[int, int]:
-    """Return the top word of the clause of each verb; no two have the same, so that each clause has words.
-
-    In "go and look and open the door", "go" leads to the first of both deeds only.
-    """
-    tops: Dict[int, int] = {}
-    for verb in sorted(verbs):
-        top = _top(tree, verb)
-        possible = (_above_serial(tree, top, verbs), top, verb)
-        tops[verb] = next(one for one in possible if one == verb or one not in tops.values())
-    return tops
-
-
-def _above_serial(tree: DependencyTree, top: int, verbs: Set[int]) -> int:
-    """Return the verb that leads a clause inside a sentence: "the bell rings. *Go* and open the door"."""
-    verb = tree.word(tree.word(top).head) if tree.word(top).deprel == "conj" else tree.word(top)
-    is_inside = verb.deprel in ("conj", "parataxis", "list") and verb.index not in verbs
-    return verb.index if is_inside and verb.lemma.lower() in _LEADING_VERBS else top
 
 
 def _collect(
@@ -393,7 +368,7 @@ def _is_excluded(tree: DependencyTree, word: Word) -> bool:
 
 def excluded_phrase(tree: DependencyTree, clause: Clause) -> FrozenSet[int]:
     """Return the words of a clause that only exclude something: "go to the office, but *not through the hall*"."""
-    if _has_negation(tree, tree.word(_top(tree, clause.verb))):
+    if _has_negation(tree, tree.word(top_of(tree, clause.verb))):
         return frozenset()
     parts = (index for index in clause.positions if index != clause.verb and _is_excluded(tree, tree.word(index)))
     found = frozenset().union(*(tree.subtree(index) for index in parts)) & clause.positions
@@ -411,7 +386,7 @@ def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) 
     What the hearer shall do or leave is the order itself: "make sure *you* touch nothing".
     """
     found: Set[int] = set()
-    for index in positions - {verb, _top(tree, verb)}:
+    for index in positions - {verb, top_of(tree, verb)}:
         word = tree.word(index)
         if word.deprel.split(":")[0] not in _STATING or verb in tree.subtree(index):
             continue
@@ -432,8 +407,8 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
 
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
     """Return the clause of a verb, made of the words at some positions."""
-    condition = _condition(tree, _top(tree, verb), positions)
-    subject = next((child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0)
+    condition = _condition(tree, top_of(tree, verb), positions)
+    subject = next((child.index for child in tree.children(top_of(tree, verb)) if child.deprel.startswith("nsubj")), 0)
     return Clause(
         verb=verb,
         lemma=tree.word(verb).lemma.lower(),
