@@ -44,7 +44,7 @@ from semantic_framer.plain_sentence import read_plain
 from semantic_framer.questions import remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
-from semantic_framer.said_words import words_left
+from semantic_framer.said_words import RULE, words_left
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
@@ -217,7 +217,7 @@ class _Hearing:
         lost = words_left(sentence.tree, _readings_of(heard), heard.named, is_asked=is_asked) if _acts(heard) else ()
         if not lost:
             return heard
-        self._now.write("said_words", " ".join(lost), "refused. Nothing that was understood has these words.")
+        self._now.write(RULE, " ".join(lost), "refused. Nothing that was understood has these words.")
         return replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
 
     def _understood(self, tree: DependencyTree, context: Context) -> Heard:

@@ -23,6 +23,8 @@ from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
+#: Name of the check in the trace.
+RULE = "said_words"
 _FORMULAS = tuple(
     pattern_of(kind)
     for kind in (
@@ -288,7 +290,8 @@ class _Check:
         """Whether a word names things that are said one by one, too: "*two cups*, a red one and a blue one"."""
         is_number = word.upos in ("NUM", "DET") and word.index < len(self._tree.words)
         thing = self._tree.word(word.index + 1) if is_number else word
-        return thing.upos == "NOUN" and thing.lemma.lower() in self._lemmas
+        is_left = thing.upos == "NOUN" and thing.deprel == ASIDE and thing.index not in self._named
+        return is_left and thing.lemma.lower() in self._lemmas
 
     # --- words of the text that the tree does not have
 
