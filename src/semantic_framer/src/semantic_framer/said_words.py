@@ -54,6 +54,7 @@ _AUXILIARIES = (
     word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
 )
 _CROSSING = word_class("prepositions_of_crossing")
+_DIRECTIONS = word_class("all_directions")
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
@@ -133,7 +134,7 @@ class _Check:
         self, tree: DependencyTree, readings: Sequence[Reading], others: AbstractSet[int], is_asked: bool
     ) -> None:
         self._tree = tree
-        arguments = [argument for reading in readings for argument in reading.arguments]
+        arguments = self._arguments = [argument for reading in readings for argument in reading.arguments]
         self._measured = frozenset(index for one in arguments if one.measure is not None for index in one.positions)
         self._lemmas = frozenset(lemma for one in arguments for lemma in _lemmas(one))
         self._is_asked = is_asked
@@ -148,11 +149,26 @@ class _Check:
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
         places = {one.start: self._tree.text[one.start : one.end] for one in self._lost_in_rewriting()}
+        places.update((word.start_character, word.form) for word in self._torn())
         for run in self._runs():
             places.update((word.start_character, word.form) for word in self._unread_of(run))
         return (*(places[place] for place in sorted(places)), *_signs(self._tree.text))
 
     # --- words of the tree
+
+    def _torn(self) -> List[Word]:
+        """Return the words of phrases of which a part fills another element: "the door *left* of you", "*an angle of*
+        45 degrees"."""
+        found: List[Word] = []
+        for argument in self._arguments:
+            inside = range(min(argument.positions, default=0), max(argument.positions, default=0))
+            taken = {index for one in self._arguments if one is not argument for index in one.positions}
+            words = [self._tree.word(index) for index in inside if index in taken - {*argument.positions}]
+            found += [word for word in words if word.form.lower() in _DIRECTIONS]
+            last = self._tree.word(max(argument.positions)) if argument.positions else None
+            if last is not None and last.form.lower() == "of" and last.head in taken:
+                found += [self._tree.word(index) for index in argument.positions]
+        return found
 
     def _phrases(self) -> FrozenSet[int]:
         """Return the positions of phrases that may go unread, and of comparisons, which hold words that are read."""
