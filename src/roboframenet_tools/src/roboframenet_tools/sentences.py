@@ -1,4 +1,4 @@
-"""``rfn sentences``: reads many sentences, and counts what comes of them: what is done, which words are lost, errors."""
+"""``rfn sentences``: reads many sentences, and counts what is done, asked or refused, lost words, and errors."""
 
 import argparse
 import random

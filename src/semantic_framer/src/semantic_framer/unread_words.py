@@ -24,14 +24,15 @@ def load_unread_words(text: str, path: str) -> PhraseTable[str]:
     """
     reader = Reader(path)
     found = {}
-    for key, item in reader.sequence(reader.compose(text, "a list of words"), ""):
+    root = reader.compose(text, "a list of words")
+    for key, item in reader.sequence(root, ""):
         entries = reader.mapping(item, key, ("words", "reason"), required=("words", "reason"))
         reason = reader.name(entries.get("reason"), f"{key}.reason")
         for phrase in reader.texts(entries["words"], f"{key}.words") if "words" in entries else ():
             found[tuple(phrase.split())] = reason
     count = sum(map(len, found))
-    if count > MOST_UNREAD_WORDS:
-        reader.report("TOO_MANY", None, "", f"{count} words", f"at most {MOST_UNREAD_WORDS}")
+    if root is not None and count > MOST_UNREAD_WORDS:
+        reader.report("TOO_MANY", root, "", f"{count} words", f"at most {MOST_UNREAD_WORDS}")
     reader.refuse_if_wrong()
     return PhraseTable(found)
 
