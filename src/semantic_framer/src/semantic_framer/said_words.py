@@ -64,6 +64,8 @@ _HEDGES = word_class("hedges")
 _HESITATION = pattern_of("phrases_of_hesitation")
 _BROKEN_OFF = re.compile(r"-,?\s")
 _GROUP = re.compile(r"\\\d")
+#: Of two spellings of one word: "rihgt" and "right".
+_LEAST_LIKENESS = 0.5
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -127,6 +129,10 @@ class _Said:
     form: str
     start: int
     end: int
+
+    def is_at(self, word: Word) -> bool:
+        """Whether a word of the tree stands in this place of the text."""
+        return word.start_character <= self.start and self.end <= word.end_character
 
 
 class _Check:
@@ -326,6 +332,9 @@ class _Check:
                 continue
             is_meant = any(index in self._understood for _, index in words)
             if block and is_meant and tag == "replace":
+                places = {self._tree.word(index) for _, index in words}
+                beyond = _beyond(block, [form for form, _ in words])
+                gone += [one for one in beyond if not any(one.is_at(word) for word in places)]
                 continue
             new += words
             if block and not _is_taken_back(self._tree.text, said, first, last):
@@ -362,6 +371,17 @@ def _plain(text: str) -> str:
 
 def _said(text: str) -> List[_Said]:
     return [_Said(_plain(match.group()), *match.span()) for match in _RUN.finditer(text)]
+
+
+def _beyond(said: Sequence[_Said], written: Sequence[str]) -> List[_Said]:
+    """Return the words for which none is written: a written word stands for the one that it is most like, if any."""
+    left = list(said)
+    for form in written:
+        alike = [(SequenceMatcher(None, one.form, form, autojunk=False).ratio(), one) for one in left]
+        likeness, nearest = max(alike, key=lambda pair: pair[0], default=(0.0, None))
+        if nearest is not None and likeness >= _LEAST_LIKENESS:
+            left.remove(nearest)
+    return left
 
 
 def _is_taken_back(text: str, said: Sequence[_Said], first: int, last: int) -> bool:
