@@ -18,32 +18,17 @@ from semantic_framer.unread_words import shipped_unread_words
 from semantic_types.parts_of_speech import NOUN, VERB, base_forms, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.avoided_places import PREPOSITION
-from utterance_passes.formula_file import WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
+from utterance_passes.formula_file import KINDS, WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
 from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
 #: Name of the check in the trace.
 RULE = "said_words"
-_FORMULAS = tuple(
-    pattern_of(kind)
-    for kind in (
-        "openings",
-        "modal_openings",
-        "gerund_openings",
-        "anywhere",
-        "apart",
-        "comparisons",
-        "endings",
-        "tails",
-        "set_off_tails",
-        "editing_terms",
-        "withdrawals",
-        "phrases_of_hesitation",
-    )
-)
+_OBJECTION, _FILLER = "objections", "fillers"
+_FORMULAS = tuple(pattern_of(kind) for kind in KINDS if kind not in (_OBJECTION, _FILLER, WRITTEN_OUT))
 _COMPARISONS = pattern_of("comparisons")
-_OBJECTIONS = pattern_of("objections")
+_OBJECTIONS = pattern_of(_OBJECTION)
 #: The most words of a formula.
 _LONGEST = 16
 _ADDRESSED = word_class("robot_names") | word_class("those_addressed") | word_class("greetings")

@@ -120,9 +120,10 @@ def run_cut_passes(
 ) -> Tuple[int, ...]:
     """Return the positions of the words that begin further commands."""
     found: Set[int] = set()
+    nothing: Tuple[int, ...] = ()
     for one in passes:
         run = partial(one.run, forms, tags, vocabulary)
-        for position in _result(one, run, (), trace) if one.name not in without else ():
+        for position in _result(one, run, nothing, trace) if one.name not in without else ():
             if trace is not None:
                 trace.add(one.name, forms[position - 1], "", "begins a command, parsed alone", [position])
             found.add(position)
@@ -140,10 +141,11 @@ def run_tag_passes(
 ) -> Tuple[Retag, ...]:
     """Return the corrected tags of a sentence; each pass sees the tags from the passes before it."""
     found: List[Retag] = []
+    nothing: Tuple[Retag, ...] = ()
     tags = list(tags)
     for one in passes:
         run = partial(one.run, forms, list(tags), vocabulary)
-        for retag in _result(one, run, (), trace) if one.name not in without else ():
+        for retag in _result(one, run, nothing, trace) if one.name not in without else ():
             if trace is not None:
                 position = retag.position
                 trace.add(one.name, forms[position - 1], tags[position - 1], f"{retag.upos}, parsed again", [position])
