@@ -55,7 +55,7 @@ _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
 _FINDING = word_class("finding_verbs")
-_TOLD = word_class("modals") | word_class("object_pronouns")
+_TOLD = word_class("modals") | word_class("object_pronouns") | word_class("female_pronouns")
 _UNFINISHED = word_class("only_before_nouns")
 _WISHES = (
     word_class("verbs_around_requests")
