@@ -117,7 +117,8 @@ class _Said:
 
     def is_at(self, word: Word) -> bool:
         """Whether a word of the tree stands in this place of the text."""
-        return word.start_character <= self.start and self.end <= word.end_character
+        is_inside = word.start_character <= self.start and self.end <= word.end_character
+        return is_inside or word.start_character == self.start
 
 
 class _Check:
