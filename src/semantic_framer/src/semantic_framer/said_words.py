@@ -51,6 +51,7 @@ _BROKEN_OFF = re.compile(r"-,?\s")
 _GROUP = re.compile(r"\\\d")
 #: Of two spellings of one word: "rihgt" and "right".
 _LEAST_LIKENESS = 0.5
+_SENTENCE = re.compile(r"(?<=[.!?] )[^.!?]+[.!?]*|^[^.!?]+[.!?]*")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -343,11 +344,14 @@ class _Check:
         """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
         *know*" is "tell Bob"."""
         named = {_plain(self._tree.word(index).form) for index in self._named if 0 < index <= len(self._tree.words)}
+        texts = [(0, self._tree.text.lower())]
+        texts += [(part.start(), part.group().lower().rstrip()) for part in _SENTENCE.finditer(self._tree.text)]
         return [
-            match.span()
+            (start + match.start(), start + match.end())
             for formula in shipped_formulas()[WRITTEN_OUT]
             if formula.says or named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
-            for match in formula.pattern.finditer(self._tree.text.lower())
+            for start, text in texts
+            for match in formula.pattern.finditer(text)
         ]
 
 
