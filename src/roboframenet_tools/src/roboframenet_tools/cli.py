@@ -15,6 +15,7 @@ COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and show what happens"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
     ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and their effect on a corpus"),
+    ("sentences", "roboframenet_tools.sentences", "read many sentences, and count what is done, refused or lost"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
     (
         "list",

@@ -1,7 +1,7 @@
 """Understands a parsed utterance: the result is clauses of readings, a refusal, or a question."""
 
 from dataclasses import replace
-from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
+from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
@@ -38,11 +38,13 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    lost_words_refusal,
 )
 from semantic_framer.plain_sentence import read_plain
 from semantic_framer.questions import remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
+from semantic_framer.said_words import RULE, words_left
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
@@ -189,6 +191,21 @@ def _begun(heard: Heard, beginning: str) -> Heard:
     return replace(heard, context=replace(heard.context, pending=replace(heard.context.pending, beginning=beginning)))
 
 
+def _acts(heard: Heard) -> bool:
+    """Whether an utterance leads to something that is done, at once or after a yes."""
+    pending = heard.context.pending
+    return isinstance(heard.outcome, Understood) or (pending is not None and bool(pending.clauses))
+
+
+def _readings_of(heard: Heard) -> List[Reading]:
+    """Return the best reading of each clause that is done, or that is done after a yes."""
+    pending = heard.context.pending
+    if isinstance(heard.outcome, Understood):
+        return [readings[0] for readings in heard.outcome.clauses]
+    asked = [read.kept[0] for read in heard.clauses if read.kept]
+    return [*asked, *(readings[0] for readings in pending.clauses)] if pending is not None else asked
+
+
 class _Hearing:
     """Understands one utterance."""
 
@@ -197,6 +214,19 @@ class _Hearing:
         self._trace = now.trace
 
     def hear(self, tree: DependencyTree, context: Context) -> Heard:
+        """Understand an utterance, and refuse it if a word of it is lost."""
+        heard = self._understood(tree, context)
+        policy, sentence = self._now.policy, heard.sentence
+        if policy.left_over_words not in CAREFUL or sentence is None or heard.is_answer:
+            return heard
+        is_asked = isinstance(heard.outcome, Question)
+        lost = words_left(sentence.tree, _readings_of(heard), heard.named, is_asked=is_asked) if _acts(heard) else ()
+        if not lost:
+            return heard
+        self._now.write(RULE, " ".join(lost), "refused. Nothing that was understood has these words.")
+        return replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
+
+    def _understood(self, tree: DependencyTree, context: Context) -> Heard:
         """Take an utterance as an answer to the open question, if it is one, or as a command."""
         meant = self._restructured(tree, FRAMER_TREE_PASSES)
         pending = context.pending
@@ -255,7 +285,8 @@ class _Hearing:
             if plan is None:
                 return None
             self._now.write("answer", tree.text, str(plan))
-            return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan), meant)
+            settled = resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan)
+            return Heard(*settled, meant, is_answer=True)
         asked = zip(pending.clauses[pending.clause], pending.elements)
         elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
         # "Right" may be a direction; any other yes names nothing: "that is what I want".
@@ -270,7 +301,7 @@ class _Hearing:
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
-        return _begun(Heard(*settled, meant), pending.beginning)
+        return _begun(Heard(*settled, meant, is_answer=True), pending.beginning)
 
     def _finished(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
         """Understand what is said behind an unfinished sentence; a sentence of its own if it does not finish that."""
@@ -350,12 +381,13 @@ class _Hearing:
             return self._read_command(sentence, context)
         self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
         heard = self._read_command(bare, context)
+        named = heard.named | begun.positions
         if isinstance(heard.outcome, Question):
             kept = tuple(read.kept for read in heard.clauses)
             told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
             if told != kept:
                 heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
-        return _begun(heard, begun.kind)
+        return _begun(replace(heard, named=named), begun.kind)
 
     def _read_command(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a command; one that cannot be understood as it is may have conditions."""

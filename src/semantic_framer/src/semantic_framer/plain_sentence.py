@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Sequence, Tuple
 
 from semantic_framer.choices import choices_left_open
-from semantic_framer.deeds import deeds_of
+from semantic_framer.deeds import deeds_of, words_told
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
@@ -14,6 +14,7 @@ from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
 from semantic_framer.references import thing_told
+from semantic_framer.said_words import positions_named
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
@@ -50,7 +51,7 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         change = change_of(sentence, clauses_of_tree, context, now.known)
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
-        return Heard(*_changed(change, sentence, context, now), sentence)
+        return Heard(*_changed(change, sentence, context, now), sentence, named=change.positions)
     is_on = "things_asked_for" not in now.known.without
     wanted = asked_for(sentence, clauses_of_tree, now.known) if is_on else None
     if wanted is not None:
@@ -67,7 +68,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     asked = question_readings(case)
     if asked:
         now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
-        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence)
+        # The pattern of a question holds all of its words.
+        named = frozenset(word.index for word in sentence.tree.words)
+        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
@@ -87,7 +90,8 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
         ignored = " ".join(sentence.word(index).form for index in words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
-    return Heard(outcome, context, sentence, clauses)
+    wished = positions_named(read.kept[0] for read in clauses if read.kept[0].is_wish)
+    return Heard(outcome, context, sentence, clauses, named=words_told(case, clauses) | wished)
 
 
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:
