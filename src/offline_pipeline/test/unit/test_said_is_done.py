@@ -66,7 +66,7 @@ def test_a_time_of_the_clock_is_no_part_of_a_thing(pipeline: Pipeline, text: str
         ("wait for 30xyz", "refused"),
         ("wait for 5", "refused"),
         ("go to room 12b", "navigating_to_location(goal=room 12b)"),
-        ("turn left and right 20 degrees each", "asked"),
+        ("turn left and right 20 degrees each", "refused"),
         ("move forward and backward 2 meters", "asked"),
         ("spin around once", "asked"),
         ("rotate clockwise once", "asked"),
@@ -86,11 +86,11 @@ def test_an_amount_is_the_amount_or_nothing_is_done(pipeline: Pipeline, text: st
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("go to the kit kitchen", "asked"),
-        ("take the tea teapot", "asked"),
-        ("bring mee the mug", "asked"),
-        ("follow mee", "asked"),
-        ("give himm the mug", "asked"),
+        ("go to the kit kitchen", "refused"),
+        ("take the tea teapot", "refused"),
+        ("bring mee the mug", "refused"),
+        ("follow mee", "refused"),
+        ("give himm the mug", "refused"),
         ("turn right n go to the hall", "refused"),
         ("move into the cellar first n go into the attic", "refused"),
         ("Stack the tin on the crate and put them in the tray.", "asked"),
@@ -139,7 +139,7 @@ def test_a_new_command_takes_the_place_of_a_question(pipeline: Pipeline) -> None
 
 
 def test_a_yes_names_no_place(pipeline: Pipeline) -> None:
-    question = pipeline.understand("go to the kit kitchen")
+    question = pipeline.understand("go to the")
     for answer in ("that is what I want", "uh huh", "yes"):
         after = pipeline.understand(answer, question.context)
         assert after.reply.sentence.endswith(f"I still ask: {question.reply.sentence}")

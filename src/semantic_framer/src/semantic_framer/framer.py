@@ -191,19 +191,12 @@ def _begun(heard: Heard, beginning: str) -> Heard:
     return replace(heard, context=replace(heard.context, pending=replace(heard.context.pending, beginning=beginning)))
 
 
-def _acts(heard: Heard) -> bool:
-    """Whether an utterance leads to something that is done, at once or after a yes."""
-    pending = heard.context.pending
-    return isinstance(heard.outcome, Understood) or (pending is not None and bool(pending.clauses))
-
-
-def _readings_of(heard: Heard) -> List[Reading]:
-    """Return the best reading of each clause that is done, or that is done after a yes."""
-    pending = heard.context.pending
+def _readings_of(heard: Heard, asked: Optional[Pending]) -> List[Reading]:
+    """Return the best reading of each clause that is done, or that is done after a yes to what the utterance asks."""
     if isinstance(heard.outcome, Understood):
         return [readings[0] for readings in heard.outcome.clauses]
-    asked = [read.kept[0] for read in heard.clauses if read.kept]
-    return [*asked, *(readings[0] for readings in pending.clauses)] if pending is not None else asked
+    kept = [read.kept[0] for read in heard.clauses if read.kept]
+    return [*kept, *(readings[0] for readings in asked.clauses)] if asked is not None else kept
 
 
 class _Hearing:
@@ -219,12 +212,16 @@ class _Hearing:
         policy, sentence = self._now.policy, heard.sentence
         if policy.left_over_words not in CAREFUL or sentence is None or heard.is_answer:
             return heard
+        asked = heard.context.pending if heard.context.pending is not context.pending else None
+        if not isinstance(heard.outcome, Understood) and (asked is None or not asked.clauses):
+            return heard
         is_asked = isinstance(heard.outcome, Question)
-        lost = words_left(sentence.tree, _readings_of(heard), heard.named, is_asked=is_asked) if _acts(heard) else ()
+        lost = words_left(sentence.tree, _readings_of(heard, asked), heard.named, is_asked=is_asked)
         if not lost:
             return heard
         self._now.write(RULE, " ".join(lost), "refused. Nothing that was understood has these words.")
-        return replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
+        refused = replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
+        return self._with_open(context.pending, sentence, refused) if context.pending is not None else refused
 
     def _understood(self, tree: DependencyTree, context: Context) -> Heard:
         """Take an utterance as an answer to the open question, if it is one, or as a command."""
