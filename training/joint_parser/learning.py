@@ -132,12 +132,14 @@ class Learner:
         self._rates = [group["lr"] for group in self._optimizer.param_groups]
         self.average = {name: value.detach().clone() for name, value in model.state_dict().items()}
         self._step = 0
+        self._ends_s, self._seconds = time.monotonic(), 1.0
 
     def train(
         self, treebanks: Sequence[Example], generated: Sequence[Example], dev: Sequence[Example], seconds: float = 1e9
     ) -> List[Dict[str, float]]:
-        """Learn for all epochs, or until the seconds are over; return the figures of the last epoch on ``dev``."""
+        """Learn for all epochs, or until the seconds are over; return the figures of each epoch, on ``dev`` at the end."""
         began_s = time.monotonic()
+        self._ends_s, self._seconds = began_s + seconds, seconds
         first = self._resume()
         history: List[Dict[str, float]] = []
         spoken = {one: as_spoken(one) for one in treebanks}
@@ -155,6 +157,10 @@ class Learner:
             for part in self._batches.epoch(drawn, self._settings.pieces, chooser):
                 losses += self._learn(self._batches.batch(part), total)
                 number += 1
+                if time.monotonic() > self._ends_s:
+                    break
+                if number % 50 == 0:
+                    print(f"  {number} of {batch_count}, loss {float(losses) / number:.2f}", flush=True)
             last = epoch == self._settings.epochs - 1
             late = time.monotonic() - began_s > seconds
             if last or late or epoch % _SAVED == _SAVED - 1:
@@ -175,7 +181,9 @@ class Learner:
 
     def _learn(self, batch: Dict[str, Tensor], total: int) -> Tensor:
         settings = self._settings
-        share = self._step / max(1, total)
+        # With a limit of time, the rate is down at its end, however far the epochs are.
+        left = (self._ends_s - time.monotonic()) / self._seconds
+        share = max(self._step / max(1, total), 1 - max(0.0, left))
         factor = min(1.0, share / 0.08) if share < 0.08 else max(0.0, (1 - share) / 0.92)
         for group, rate in zip(self._optimizer.param_groups, self._rates):
             group["lr"] = rate * max(factor, 1e-4)
@@ -183,7 +191,7 @@ class Learner:
         hidden = torch.rand(numbers.shape, device=numbers.device) < settings.masked
         hidden[:, 0] = False
         masked = numbers.masked_fill(hidden & (batch["bias"][:, 0, 0] == 0), self._mask_piece)
-        with torch.autocast(self._device, dtype=torch.bfloat16, enabled=self._device == "cuda"):
+        with torch.autocast(self._device, dtype=torch.bfloat16):
             scores = self.model(masked, batch["shapes"], batch["pool"], batch["bias"])
             loss = loss_of(scores, batch)
             if self._teachers is not None:
