@@ -7,9 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Dict, Iterable, Iterator, List, Sequence, Tuple
 
-from stanford_parser_ros.joint.pieces import PieceVocabulary
-
 from command_models.conllu import Sentence
+from stanford_parser_ros.joint.pieces import PieceVocabulary
 
 COLUMNS = ("form", "upos", "xpos", "feats", "head", "deprel")
 #: Label that is not learnt.

@@ -11,9 +11,9 @@ from typing import Dict, Iterable, List, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
-from stanford_parser_ros.joint.pieces import END, START, UNKNOWN, PieceVocabulary
 
 from command_models.errors import TrainingError
+from stanford_parser_ros.joint.pieces import END, START, UNKNOWN, PieceVocabulary
 
 #: Of ``model.safetensors`` of all-MiniLM-L6-v2.
 SHA256 = "53aa51172d142c89d9012cce15ae4d6cc0ca6895895114379cacb4fab128d9db"

@@ -5,12 +5,13 @@ from pathlib import Path
 from typing import Any, Tuple
 
 import torch
+from torch import Tensor, nn
+from torch.nn import functional
+
 from joint_parser.folder import read_folder
 from joint_parser.network import JointParser
 from joint_parser.running import load
 from stanford_parser_ros.joint import model_folder
-from torch import Tensor, nn
-from torch.nn import functional
 
 
 class OneSentence(nn.Module):
@@ -79,6 +80,14 @@ def export(data: Path, trained: Path, out: Path, *, quantized: bool = True) -> N
     model = load(trained, labels, vocabulary)
     model.eval()
     out.mkdir(parents=True, exist_ok=True)
+    write_network(model, out, quantized=quantized)
+    shutil.copyfile(data / "labels.json", out / model_folder.LABELS)
+    shutil.copyfile(data / "pieces.txt", out / model_folder.PIECES)
+    model_folder.write_manifest(out)
+
+
+def write_network(model: JointParser, out: Path, *, quantized: bool) -> None:
+    """Write a network for ONNX Runtime into a folder."""
     whole, path = out / "whole.onnx", out / model_folder.NETWORK
     example = (torch.tensor([1, 5, 6, 2]), torch.tensor([5, 0, 0, 5]), torch.eye(4)[:3])
     with torch.inference_mode():
@@ -100,11 +109,13 @@ def export(data: Path, trained: Path, out: Path, *, quantized: bool = True) -> N
         from onnxruntime.quantization import QuantType, quantize_dynamic
 
         quantize_dynamic(
-            whole, path, op_types_to_quantize=["MatMul"], weight_type=QuantType.QInt8, per_channel=True, reduce_range=True
+            whole,
+            path,
+            op_types_to_quantize=["MatMul"],
+            weight_type=QuantType.QInt8,
+            per_channel=True,
+            reduce_range=True,
         )
         whole.unlink()
     else:
         whole.replace(path)
-    shutil.copyfile(data / "labels.json", out / model_folder.LABELS)
-    shutil.copyfile(data / "pieces.txt", out / model_folder.PIECES)
-    model_folder.write_manifest(out)

@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import Dict, Tuple
 
 import numpy as np
-from joint_parser.data import Labels
 from numpy.typing import NDArray
+
+from joint_parser.data import Labels
 from stanford_parser_ros.joint.pieces import PieceVocabulary
 
 

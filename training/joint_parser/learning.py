@@ -259,4 +259,3 @@ class Learner:
                 if len(state) > 1:
                     self._optimizer.state[parameter] = state
         return int(meta["epochs"])
-

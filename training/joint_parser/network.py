@@ -87,7 +87,9 @@ class Mix(nn.Module):
 class JointParser(nn.Module):
     """Encoder and scorers."""
 
-    def __init__(self, shape: Shape, *, dropout: float = 0.1, head_dropout: float = 0.33, pooling: str = "mean") -> None:
+    def __init__(
+        self, shape: Shape, *, dropout: float = 0.1, head_dropout: float = 0.33, pooling: str = "mean"
+    ) -> None:
         """
         Args:
             shape: sizes

@@ -5,17 +5,25 @@ from pathlib import Path
 from typing import Dict, List
 
 import numpy as np
-from joint_parser import encoder
-from joint_parser.data import Example, Labels, example, write_examples
 
 from command_models import generate, mining, treebanks
 from command_models.conllu import read
 from command_models.constructions import corpus, units
 from command_models.lexicon import evaluation_words
+from joint_parser import encoder
+from joint_parser.data import Example, Labels, example, write_examples
 
 
-def prepare(  # noqa: PLR0913  (each is an input of its own)
-    *, ewt: Path, childes: Path, domains: Path, package: Path, out: Path, seed: int, taught: int = 20000, most: int = 20000
+def prepare(
+    *,
+    ewt: Path,
+    childes: Path,
+    domains: Path,
+    package: Path,
+    out: Path,
+    seed: int,
+    taught: int = 20000,
+    most: int = 20000,
 ) -> Dict[str, int]:
     """Write the folder of a training; return the numbers of sentences and pieces.
 
@@ -60,7 +68,7 @@ def prepare(  # noqa: PLR0913  (each is an input of its own)
 
 def _write_encoder(path: Path, weights: encoder.Arrays) -> None:
     """Write the weights with 16 bits, and those of the pieces with 8 bits and a scale for each."""
-    packed: Dict[str, "np.ndarray[object, np.dtype[np.generic]]"] = {}
+    packed: Dict[str, np.ndarray[object, np.dtype[np.generic]]] = {}
     for name, values in weights.items():
         if name == "pieces.weight":
             scale = np.abs(values).max(axis=1, keepdims=True) / 127.0 + 1e-12

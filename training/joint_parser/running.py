@@ -6,15 +6,15 @@ from pathlib import Path
 from typing import Any, Dict, List
 
 import torch
-from joint_parser import scoring
-from joint_parser.data import Batches, Example, Labels, read_examples
-from joint_parser.learning import Learner, Settings, Teachers
-from joint_parser.network import JointParser, Shape
-from joint_parser.folder import read_encoder, read_folder
 from safetensors.torch import load_file, save_file
-from stanford_parser_ros.joint.pieces import PieceVocabulary
 
 from command_models.errors import TrainingError
+from joint_parser import scoring
+from joint_parser.data import Batches, Example, Labels, read_examples
+from joint_parser.folder import read_encoder, read_folder
+from joint_parser.learning import Learner, Settings, Teachers
+from joint_parser.network import JointParser, Shape
+from stanford_parser_ros.joint.pieces import PieceVocabulary
 
 WEIGHTS = "weights.safetensors"
 
@@ -44,7 +44,9 @@ def train(options: Any) -> None:
     """Train one network, and write its averaged weights."""
     settings = Settings(**{field.name: getattr(options, field.name) for field in fields(Settings)})
     labels, vocabulary = read_folder(options.data)
-    sets = {name: read_examples(options.data / f"{name}.xz") for name in ("ewt-train", "childes", "generated", "ewt-dev")}
+    sets = {
+        name: read_examples(options.data / f"{name}.xz") for name in ("ewt-train", "childes", "generated", "ewt-dev")
+    }
     if options.few:
         sets = {name: examples[: options.few] for name, examples in sets.items()}
     torch.manual_seed(settings.seed)
@@ -74,9 +76,7 @@ def train(options: Any) -> None:
         teachers=teachers,
         mask_piece=pieces.index("[MASK]"),
     )
-    history = learner.train(
-        [*sets["ewt-train"], *sets["childes"]], sets["generated"], sets["ewt-dev"], options.seconds
-    )
+    history = learner.train([*sets["ewt-train"], *sets["childes"]], sets["generated"], sets["ewt-dev"], options.seconds)
     save_file(
         {name: value.detach().half().cpu().contiguous() for name, value in learner.average.items()},
         options.out / WEIGHTS,

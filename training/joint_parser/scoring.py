@@ -4,9 +4,9 @@ from collections import defaultdict
 from typing import Any, Callable, Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
-from stanford_parser_ros.lean.spanning_tree import heads_of_best_tree
 
 from joint_parser.data import Batches, Example, Labels
+from stanford_parser_ros.lean.spanning_tree import heads_of_best_tree
 
 
 class Parsed(NamedTuple):

@@ -123,6 +123,8 @@ class JointNetwork:
         for number, (part, said) in enumerate(zip(parts, scores)):
             rows = slice(part.first - part.start, part.last - part.start)
             arcs = said["arcs"][rows].astype(np.float64)
+            own = np.arange(rows.start, rows.stop)
+            arcs[own - rows.start, own + 1] = -np.inf  # no word governs itself
             arcs -= arcs.max(axis=1, keepdims=True)
             arcs -= np.log(np.exp(arcs).sum(axis=1, keepdims=True))
             square[part.first + 1 : part.last + 1, 0] = arcs[:, 0]
