@@ -86,8 +86,8 @@ _SUBORDINATING_ADVERBS = frozenset("when where whenever wherever why how".split(
 def as_written(sentence: Sentence) -> Sentence:
     """Return a sentence of UD_English-CHILDES with EWT's conventions.
 
-    A second verb behind "go" and "come" is no compound but what they are for; question words stay adverbs where they introduce a clause; final
-    marks have one tag; a particle is an adposition, and "back" an adverb.
+    A second verb behind "go" and "come" is no compound but what they are for; question words stay adverbs where they
+    introduce a clause; final marks have one tag; a particle is an adposition, and "back" an adverb.
     """
     words = list(sentence.words)
     for place, word in enumerate(words):

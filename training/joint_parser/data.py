@@ -57,7 +57,7 @@ def as_spoken(one: Example) -> Example:
         return one
     moved = {old + 1: new for new, old in enumerate(kept, 1)}
     moved[0] = 0
-    columns = {column: tuple(getattr(one, column)[n] for n in kept) for column in COLUMNS}
+    columns: Dict[str, Any] = {column: tuple(getattr(one, column)[n] for n in kept) for column in COLUMNS}
     columns["head"] = tuple(moved[head] for head in columns["head"])
     columns["form"] = tuple(form.lower() for form in columns["form"])
     return replace(one, **columns)

@@ -1,13 +1,13 @@
 """The pretrained encoder: read from its package, checked by its sum, and cut to the pieces that are needed."""
 
+import collections
 import hashlib
 import io
 import json
 import struct
 import zipfile
-from collections import Counter
 from pathlib import Path
-from typing import Dict, Iterable, List, Tuple
+from typing import Counter, Dict, Iterable, List, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,7 +75,7 @@ def kept_pieces(pieces: List[str], words: Iterable[str], most: int) -> List[int]
         bare = piece[2:] if piece.startswith("##") else piece
         if len(bare) == 1 and (ord(bare) < 0x250 or 0x2010 <= ord(bare) <= 0x20CF):
             wanted.add(number)
-    counts: Counter[int] = Counter()
+    counts: Counter[int] = collections.Counter()
     for word in words:
         counts.update(whole.of_word(word))
     wanted.update(number for number, count in counts.most_common(most - len(wanted)))

@@ -137,7 +137,7 @@ class Learner:
     def train(
         self, treebanks: Sequence[Example], generated: Sequence[Example], dev: Sequence[Example], seconds: float = 1e9
     ) -> List[Dict[str, float]]:
-        """Learn for all epochs, or until the seconds are over; return the figures of each epoch, on ``dev`` at the end."""
+        """Learn for all epochs, or until the seconds are over; return the figures of each epoch."""
         began_s = time.monotonic()
         self._ends_s, self._seconds = began_s + seconds, seconds
         first = self._resume()
@@ -210,7 +210,8 @@ class Learner:
 
     def averaged(self) -> JointParser:
         """Return a network with the averaged weights."""
-        model = JointParser(self.model.shape, pooling=self._settings.pooling).to(self._device)
+        model: JointParser = JointParser(self.model.shape, pooling=self._settings.pooling)
+        model.to(self._device)
         model.load_state_dict(self.average)
         return model
 
@@ -248,7 +249,8 @@ class Learner:
             return 0
         tensors = load_file(path, device=self._device)
         self.model.load_state_dict({name[6:]: value for name, value in tensors.items() if name.startswith("model.")})
-        self.average = {name[8:]: value for name, value in tensors.items() if name.startswith("average.")}
+        # In the order of the network: the two are added up pair by pair.
+        self.average = {name: tensors[f"average.{name}"] for name in self.average}
         self._step = int(meta["step"])
         for number, group in enumerate(self._optimizer.param_groups):
             for place, parameter in enumerate(group["params"]):

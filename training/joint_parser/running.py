@@ -37,7 +37,8 @@ def load(folder: Path, labels: Labels, vocabulary: PieceVocabulary, device: str 
     model = JointParser(shape_of(labels, vocabulary), pooling=settings["pooling"])
     state = {name: value.float() for name, value in load_file(path).items()}
     model.load_state_dict(state)
-    return model.to(device)
+    model.to(device)
+    return model
 
 
 def train(options: Any) -> None:

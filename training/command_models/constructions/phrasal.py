@@ -16,6 +16,9 @@ _SUPERLATIVES: Tuple[Tuple[str, str], ...] = tuple(
     warm:warmest hot:hottest short:shortest long:longest far:farthest bright:brightest dark:darkest""".split()
 )
 _LONG = "expensive beautiful dangerous comfortable important recent colourful fragile".split()
+_WAYS = """
+    underneath beneath under along across through past over around between beyond alongside amongst onto inside outside
+    toward by"""
 _ORDERS = "first second third fourth fifth last next".split()
 
 
@@ -347,9 +350,7 @@ def where_it_goes(p: Phrases) -> Node:
     return verb.post(
         "obl",
         p.nouns.marked(
-            p.one(
-                "underneath beneath under along across through past over around between beyond alongside amongst onto inside outside toward by"
-            ),
+            p.one(_WAYS),
             p.nouns.fixture(),
         ),
     )

@@ -74,8 +74,8 @@ class JointNetwork:
             import onnxruntime
         except ImportError as error:
             raise ModelError(
-                f"ONNX Runtime is not installed ({error}): run 'make setup' in RoboFrameNet's clone, or set ~runtime to "
-                "stanza"
+                f"ONNX Runtime is not installed ({error}): run 'make setup' in RoboFrameNet's clone, or set "
+                "~runtime to stanza"
             ) from error
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = threads
@@ -137,8 +137,9 @@ class JointNetwork:
         alternatives = []
         relations = []
         for word, head in enumerate(heads):
-            part, said = parts[places[word][0]], scores[places[word][0]]["relations"][places[word][1]]
-            chosen, others = self._governors(head, square[word + 1], said, part.start)
+            number, row = places[word]
+            labelled = scores[number]["relations"][row]
+            chosen, others = self._governors(head, square[word + 1], labelled, parts[number].start)
             relations.append(chosen.relation)
             alternatives.append(others)
         return Analysis(

@@ -1,4 +1,4 @@
-"""The joint model in Stanza's Pipeline: its variant of ``pos`` finds tags and heads, that of ``depparse`` keeps them."""
+"""The joint model in Stanza's Pipeline: the variant of ``pos`` finds tags and heads, ``depparse`` keeps them."""
 
 from pathlib import Path
 from typing import Any, Dict
