@@ -14,7 +14,7 @@ from joint_parser.running import load
 from stanford_parser_ros.joint import model_folder
 
 
-class OneSentence(nn.Module):
+class OneSentence(nn.Module):  # type: ignore[misc]  # torch is not read
     """The network for one sentence, without what is needed for learning alone."""
 
     numbers: Tensor

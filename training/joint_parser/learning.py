@@ -40,17 +40,17 @@ class Settings:
     """
 
     seed: int = 1
-    epochs: int = 20
-    pieces: int = 4096
+    epochs: int = 12
+    pieces: int = 1536
     encoder_rate: float = 2e-4
-    scorer_rate: float = 1e-3
+    scorer_rate: float = 1.5e-3
     decay: float = 0.9
     dropout: float = 0.1
-    head_dropout: float = 0.33
-    masked: float = 0.05
+    head_dropout: float = 0.25
+    masked: float = 0.03
     spoken: float = 0.15
-    generated: int = 9000
-    averaged: float = 0.999
+    generated: int = 7000
+    averaged: float = 0.998
     soft: float = 0.7
     pooling: str = "mean"
 

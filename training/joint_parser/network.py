@@ -35,7 +35,7 @@ class Shape:
     tag: int = 256
 
 
-class Layer(nn.Module):
+class Layer(nn.Module):  # type: ignore[misc]  # torch is not read
     """One layer of the encoder, as in BERT."""
 
     def __init__(self, shape: Shape, dropout: float) -> None:
@@ -68,7 +68,7 @@ class Layer(nn.Module):
         return mixed
 
 
-class Mix(nn.Module):
+class Mix(nn.Module):  # type: ignore[misc]  # torch is not read
     """A weighted mean of the layers."""
 
     def __init__(self, layers: int) -> None:
@@ -84,7 +84,7 @@ class Mix(nn.Module):
         return mixed
 
 
-class JointParser(nn.Module):
+class JointParser(nn.Module):  # type: ignore[misc]  # torch is not read
     """Encoder and scorers."""
 
     def __init__(

@@ -76,4 +76,7 @@ def _write_encoder(path: Path, weights: encoder.Arrays) -> None:
             packed["pieces.scale"] = scale.astype(np.float32)
         else:
             packed[name] = values.astype(np.float16)
-    np.savez_compressed(path, **packed)
+    new = path.with_suffix(".new")
+    with new.open("wb") as stream:
+        np.savez_compressed(stream, **packed)
+    new.replace(path)  # what is there is whole
