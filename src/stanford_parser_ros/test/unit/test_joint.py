@@ -121,9 +121,9 @@ def test_a_sentence_without_words_is_an_error(network: JointNetwork) -> None:
 def test_other_governors_have_their_probability(network: JointNetwork) -> None:
     found = network.analyse("bring the mug to the table .".split())
     for head, relation, governors in zip(found.heads, found.relations, found.alternatives):
-        assert (head, relation) in {(one.head, one.relation) for one in governors}
+        assert (head, relation) == (governors[0].head, governors[0].relation)
         shares = [one.probability for one in governors]
-        assert shares == sorted(shares, reverse=True)
+        assert shares[1:] == sorted(shares[1:], reverse=True)
         assert 0.0 < sum(shares) <= 1.0 + 1e-6
         assert len({one.head for one in governors}) == len(governors)
     assert any(len(governors) > 1 for governors in found.alternatives)

@@ -20,7 +20,7 @@ class Reading:
 
     Attributes:
         tree: the likeliest
-        governors: of each word, with their probability, the likeliest first; that of the tree is among them
+        governors: of each word, with their probability: that of the tree, then the others, the likeliest first
     """
 
     tree: DependencyTree

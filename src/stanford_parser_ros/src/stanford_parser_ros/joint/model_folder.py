@@ -17,12 +17,12 @@ class JointFiles(NamedTuple):
     """What the folder holds.
 
     Attributes:
-        network: for ONNX Runtime
+        network: file for ONNX Runtime, which reads it with less memory than its bytes
         labels: of tags and relations, by kind
         pieces: of the encoder
     """
 
-    network: bytes
+    network: Path
     labels: Dict[str, Tuple[str, ...]]
     pieces: Tuple[str, ...]
 
@@ -40,15 +40,18 @@ def read_joint_folder(folder: Path) -> JointFiles:
         raise ModelError(f"{folder / MANIFEST} names no files with their sums ({error!r}); {_HINT}") from error
     contents: Dict[str, bytes] = {}
     for name in FILES:
-        contents[name] = _read(folder / name)
-        found = hashlib.sha256(contents[name]).hexdigest()
+        content = _read(folder / name)
+        found = hashlib.sha256(content).hexdigest()
+        if name != NETWORK:
+            contents[name] = content
+        del content
         if found != sums.get(name):
             raise ModelError(
                 f"{folder / name}: SHA-256 is {found}, and {MANIFEST} says {sums.get(name, 'nothing of it')}; {_HINT}"
             )
     labels = json.loads(contents[LABELS])
     return JointFiles(
-        contents[NETWORK],
+        folder / NETWORK,
         {kind: tuple(labels[kind]) for kind in KINDS},
         tuple(contents[PIECES].decode("utf-8").splitlines()),
     )

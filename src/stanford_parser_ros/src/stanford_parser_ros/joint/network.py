@@ -23,6 +23,8 @@ LONGEST_WORD = 16
 #: What is less likely is no alternative.
 LEAST_PROBABILITY = 0.02
 MOST_ALTERNATIVES = 5
+#: To a governor that no window holds together with the word.
+UNKNOWN_RELATION = "obl"
 _NEVER = -1e4
 
 
@@ -47,7 +49,7 @@ class Analysis(NamedTuple):
         upos, xpos, feats: tags of each word; "_" is none
         heads: governor of each word, from 1; 0 for the root
         relations: to the governor
-        alternatives: governors of each word with their probability, the likeliest first; the chosen one is among them
+        alternatives: governors of each word with their probability: the chosen one, then others, likeliest first
     """
 
     upos: Tuple[str, ...]
@@ -84,11 +86,15 @@ class JointNetwork:
         options.enable_cpu_mem_arena = False
         options.log_severity_level = 3
         try:
-            self._session = onnxruntime.InferenceSession(files.network, options, providers=["CPUExecutionProvider"])
+            self._session = onnxruntime.InferenceSession(
+                str(files.network), options, providers=["CPUExecutionProvider"]
+            )
         except Exception as error:  # boundary: ONNX Runtime raises many kinds of errors for a file that it cannot read
             raise ModelError(f"ONNX Runtime cannot load {folder}: {type(error).__name__}: {error}") from error
         self._labels = files.labels
         self._root = files.labels["deprel"].index("root")
+        self._unknown = np.zeros(len(files.labels["deprel"]), np.float32)
+        self._unknown[files.labels["deprel"].index(UNKNOWN_RELATION)] = 100.0
         self._vocabulary = PieceVocabulary(files.pieces)
 
     def analyse(self, forms: Sequence[str]) -> Analysis:
@@ -134,44 +140,61 @@ class JointNetwork:
                 found += [self._labels[kind][n] for n in said[kind][rows].argmax(axis=1)]
         np.fill_diagonal(square, -np.inf)
         heads = heads_of_best_tree(square)[1:]
-        alternatives = []
-        relations = []
-        for word, head in enumerate(heads):
-            number, row = places[word]
-            labelled = scores[number]["relations"][row]
-            chosen, others = self._governors(head, square[word + 1], labelled, parts[number].start)
-            relations.append(chosen.relation)
-            alternatives.append(others)
+        alternatives = self._governors(heads, square[1:], parts, places, scores)
+        relations = tuple(
+            next(one.relation for one in governors if one.head == head) for head, governors in zip(heads, alternatives)
+        )
         return Analysis(
             tuple(tags["upos"]),
             tuple(tags["xpos"]),
             tuple(tags["feats"]),
             tuple(heads),
-            tuple(relations),
+            relations,
             tuple(alternatives),
         )
 
     def _governors(
-        self, head: int, logs: "NDArray[np.float64]", relations: "Floats", start: int
-    ) -> Tuple[Alternative, Tuple[Alternative, ...]]:
-        """Return the chosen governor of a word, and all that are likely."""
-        likely = [n for n in np.flatnonzero(logs >= np.log(LEAST_PROBABILITY)).tolist() if n != head]
-        found = [self._governor(n, float(np.exp(logs[n])), relations, start) for n in (head, *likely)]
-        kept = [found[0], *(one for one in found[1:] if one.probability >= LEAST_PROBABILITY)]
-        return found[0], tuple(sorted(kept, key=lambda one: -one.probability)[:MOST_ALTERNATIVES])
+        self,
+        heads: Sequence[int],
+        logs: "NDArray[np.float64]",
+        parts: Sequence[Window],
+        places: Sequence[Tuple[int, int]],
+        scores: Sequence[Dict[str, "Floats"]],
+    ) -> List[Tuple[Alternative, ...]]:
+        """Return the governors of each word: the chosen one, then the others that are likely, the likeliest first.
 
-    def _governor(self, head: int, probability: float, relations: "Floats", start: int) -> Alternative:
-        if head == 0:
-            return Alternative(0, "root", probability)
-        column = head - start
-        if not 0 < column < len(relations):
-            # A tree needs some governor; this one is in no window with the word.
-            return Alternative(head, "parataxis", 0.0)
-        scores = relations[column].astype(np.float64)
-        scores[self._root] = -np.inf
-        shares = np.exp(scores - scores.max())
-        best = int(shares.argmax())
-        return Alternative(head, self._labels["deprel"][best], probability * float(shares[best] / shares.sum()))
+        Args:
+            heads: the chosen one of each word
+            logs: row i, column j: the logarithm of the probability that word j governs word i + 1
+            parts: the windows
+            places: number of the window in which each word is read, and its row there
+            scores: of each window
+        """
+        likely = logs >= np.log(LEAST_PROBABILITY)
+        likely[np.arange(len(heads)), heads] = True
+        words, governors = (found.tolist() for found in np.nonzero(likely))
+        # A governor that is in no window with the word is there because a tree needs some; its relation is not known.
+        rows = []
+        for word, head in zip(words, governors):
+            number, row = places[word]
+            column = head - parts[number].start if head else 0
+            known = scores[number]["relations"]
+            rows.append(known[row, column] if 0 <= column < known.shape[1] else self._unknown)
+        labels = np.array(rows, np.float64)
+        labels[:, self._root] = -np.inf
+        best = labels.argmax(axis=1)
+        shares = np.exp(labels - labels[np.arange(len(best)), best][:, None]).sum(axis=1)
+        is_root = np.array(governors) == 0
+        best[is_root], shares[is_root] = self._root, 1.0
+        chances = np.exp(logs[words, governors]) / shares
+        found: List[List[Alternative]] = [[] for _ in heads]
+        for word, head, label, chance in zip(words, governors, best.tolist(), chances.tolist()):
+            if chance >= LEAST_PROBABILITY or head == heads[word]:
+                found[word].append(Alternative(head, self._labels["deprel"][label], chance))
+        return [
+            tuple(sorted(each, key=lambda one: (one.head != head, -one.probability))[:MOST_ALTERNATIVES])
+            for head, each in zip(heads, found)
+        ]
 
 
 def pool(pieces: Pieces) -> "Floats":
