@@ -177,9 +177,10 @@ class JointNetwork:
         rows = []
         for word, head in zip(words, governors):
             number, row = places[word]
-            column = head - parts[number].start if head else 0
+            column = head - parts[number].start
             known = scores[number]["relations"]
-            rows.append(known[row, column] if 0 <= column < known.shape[1] else self._unknown)
+            # That of the root is not read.
+            rows.append(known[row, column] if 0 < column < known.shape[1] else self._unknown)
         labels = np.array(rows, np.float64)
         labels[:, self._root] = -np.inf
         best = labels.argmax(axis=1)
