@@ -37,10 +37,12 @@ class Cry:
     Attributes:
         kind: what it asks for
         rest: the words that follow it
+        before: the words in front of it
     """
 
     kind: Kind
     rest: str = ""
+    before: str = ""
 
 
 #: The cries, separated by semicolons. Contractions are spelled out before the comparison: "dont", "don't" are "do not".

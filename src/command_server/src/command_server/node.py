@@ -51,7 +51,7 @@ from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
-from robot_stop.sentences import may_still_move, sentence_of
+from robot_stop.sentences import STOPPED_CODES, may_still_move
 from robot_stop.settings import BrakeSettings
 
 # How often the worker looks at what tells nothing: who is connected. While nothing is open, that can wait.
@@ -227,6 +227,7 @@ class CommandServerNode:
             self._commands.open(command)
             self._texts.add(replace(command, text=order_words(command.text)))
         elif cry is not None:
+            self._replies.tell_cry(command)
             # Of a text that was cut, the rest is no command.
             self._hear_stop(
                 command,
@@ -274,7 +275,7 @@ class CommandServerNode:
         """The stop server has replied to a stop: its goal ends, and the command after it starts."""
         self._action.finish(reply, command_id=stop_id)
         for ending in self._follow_ups.hear_answer(
-            stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
+            stop_id, is_stopped=reply.code in STOPPED_CODES, reason=reply.sentence
         ):
             self._conclude(ending)
 
@@ -384,13 +385,7 @@ class CommandServerNode:
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
         for stop in self._stops.take_overdue():
             braking = self._brakings.pop(stop.command_id, Braking())
-            standing = "I do not know whether the robot still moves."
-            if braking.braked is not None and braking.finding is not None:
-                standing = sentence_of(
-                    braking.finding,
-                    server_count=len(braking.braked.cancelled),
-                    limit_s=self._brake_settings.zero_velocity_limit_s,
-                )
+            standing = braking.standing(stop.text, limit_s=self._brake_settings.zero_velocity_limit_s)
             command = CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text)
             self._answer(ending_of_silent_stop(command, timeout_s=self._settings.stop_timeout_s, standing=standing))
             self._pass_on_answer(stop.command_id, self._replies.last_reply)

@@ -7,9 +7,11 @@ from typing import Optional
 import actionlib
 import rospy
 
+from command_server.beside_cries import words_not_done
 from roboframenet_ros.ros_robots import own_robot
 from robot_stop.braking import Finding
 from robot_stop.ros_brake import Braked
+from robot_stop.sentences import sentence_of, sentence_of_rest
 
 
 @dataclass(frozen=True)
@@ -52,3 +54,15 @@ class Braking:
 
     braked: Optional[Braked] = None
     finding: Optional[Finding] = None
+
+    def standing(self, text: str, *, limit_s: float) -> str:
+        """Say whether the robot stands still, and what is not done of the utterance that stopped it.
+
+        Args:
+            text: the utterance
+            limit_s: longest time for which zero velocity is repeated, seconds
+        """
+        standing = "I do not know whether the robot still moves."
+        if self.braked is not None and self.finding is not None:
+            standing = sentence_of(self.finding, server_count=len(self.braked.cancelled), limit_s=limit_s)
+        return f"{standing} {sentence_of_rest(words_not_done(text))}".strip()

@@ -4,7 +4,7 @@ import time
 from typing import List, Optional, Sequence, Tuple
 
 import rospy
-from roboframenet_msgs.msg import CommandStatus, Reply
+from roboframenet_msgs.msg import Command, CommandStatus, Reply
 from std_msgs.msg import Empty, String
 
 from command_server.open_commands import CommandText, Ending, OpenCommand
@@ -18,7 +18,7 @@ _OPEN_DELAY_S = 0.01
 
 
 class Replies:
-    """Publishes ``reply``, ``text_taken``, ``status`` and ``command_server_started`` (both latched).
+    """Publishes ``reply``, ``text_taken``, ``cry_heard``, ``status`` and ``command_server_started`` (both latched).
 
     Attributes:
         publisher: of ``reply``
@@ -30,6 +30,7 @@ class Replies:
         self.last_reply = Reply()
         self._status = rospy.Publisher("status", CommandStatus, queue_size=100, latch=True)
         self._taken = rospy.Publisher("text_taken", String, queue_size=1000)
+        self._cries = rospy.Publisher("cry_heard", Command, queue_size=100, tcp_nodelay=True)
         self._untold: List[str] = []
         self._unlogged: List[CommandText] = []
         self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
@@ -40,6 +41,10 @@ class Replies:
     def tell_start(self) -> None:
         """Tell that texts are heard from now on: the stop server replies to those that were said before."""
         self._started.publish(Empty())
+
+    def tell_cry(self, command: CommandText) -> None:
+        """Tell the stop server of a cry at once: a client that has just started may not be connected to it yet."""
+        self._cries.publish(command_to_message(command))
 
     def note_taken(self, text: str) -> None:
         """A text was heard; this is told with the next status, when its command is saved and will be answered."""

@@ -49,7 +49,7 @@ from command_server.spoken_words import plain_text, tokens_of
 Phrase = Tuple[str, ...]
 
 
-def _by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
+def phrases_by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
     """Return phrases by their first word, the longest first."""
     found: Dict[str, List[Phrase]] = {}
     for phrase in phrases:
@@ -77,14 +77,14 @@ _AUXILIARIES = frozenset("do does did will would can could should must may might
 _ENTRIES: Mapping[Phrase, Tuple[Kind, Tail]] = {
     tuple(phrase.split()): (kind, tail) for kind, tail, phrases in CRIES for phrase in phrases.split(";")
 }
-_CRIES = _by_first_word(" ".join(phrase) for phrase in _ENTRIES)
-_OPENINGS = _by_first_word(FILLER_PHRASES + LEADS + OPENINGS)
-_LEADS = _by_first_word(FILLER_PHRASES + LEADS)
-_TRAILS = _by_first_word(FILLER_PHRASES + TRAILS)
-_NO_PLACES = _by_first_word(NO_PLACES + NO_CONDITIONS)
+_CRIES = phrases_by_first_word(" ".join(phrase) for phrase in _ENTRIES)
+_OPENINGS = phrases_by_first_word(FILLER_PHRASES + LEADS + OPENINGS)
+_LEADS = phrases_by_first_word(FILLER_PHRASES + LEADS)
+_TRAILS = phrases_by_first_word(FILLER_PHRASES + TRAILS)
+_NO_PLACES = phrases_by_first_word(NO_PLACES + NO_CONDITIONS)
 
 
-def _phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
+def phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
     """Return the number of words of the longest phrase at a position, 0 for none."""
     if position >= len(words):
         return 0
@@ -128,8 +128,8 @@ class _Sentence:
         self._start = next((at for at, word in enumerate(words) if word not in _ADDRESSING), len(words))
         self._is_warning = self._start < len(words) and words[self._start] in WARNINGS
 
-    def cry(self) -> Optional[Tuple[Kind, int]]:
-        """Return the kind of the first cry and the position after it."""
+    def cry(self) -> Optional[Tuple[Kind, int, int]]:
+        """Return the kind of the first cry, its position, and the position after it."""
         for position in range(len(self._words)):
             for phrase in _CRIES.get(self._words[position], ()):
                 end = position + len(phrase)
@@ -140,7 +140,7 @@ class _Sentence:
                     and self._may_end(end, tail, phrase)
                     and not (kind is Kind.PAUSE and self._corrects_an_amount(position, end))
                 ):
-                    return kind, end
+                    return kind, position, end
         return None
 
     def _corrects_an_amount(self, position: int, end: int) -> bool:
@@ -157,7 +157,7 @@ class _Sentence:
         while position < len(self._words):
             fronts[position] = has_name
             word = self._words[position]
-            length = _phrase_at(self._words, position, self._openings)
+            length = phrase_at(self._words, position, self._openings)
             if not length and word not in FILLERS and word != ",":
                 if has_name or has_lead or not word.isalpha() or word in _NOT_FIRST:
                     break
@@ -226,7 +226,7 @@ class _Sentence:
         while position < min(len(self._words), end + _LONGEST_TRAIL):
             word = self._words[position]
             if tail is not Tail.NOTHING and (
-                _phrase_at(self._words, position, _CRIES)
+                phrase_at(self._words, position, _CRIES)
                 or self._is_clause(position)
                 or word in TAIL_WORDS.get(tail, ())
             ):
@@ -238,7 +238,7 @@ class _Sentence:
             ):
                 return True
             is_again = tuple(self._words[position : position + len(phrase)]) == phrase
-            length = len(phrase) if is_again else _phrase_at(self._words, position, _TRAILS)
+            length = len(phrase) if is_again else phrase_at(self._words, position, _TRAILS)
             if not length and word not in FILLERS and word != ",":
                 return False
             position += max(length, 1)
@@ -271,7 +271,7 @@ class _Sentence:
         if position < len(words) and words[position] in PLACES:
             # "Stop before *opening* the door": no place is named so.
             is_deed = words[position] == "before" and "".join(words[position + 1 : position + 2]).endswith("ing")
-            return not is_deed and not _phrase_at(words, position, _NO_PLACES)
+            return not is_deed and not phrase_at(words, position, _NO_PLACES)
         behind = position
         while behind < len(words) and _is_of_amounts(words[behind]):
             behind += 1
@@ -282,7 +282,7 @@ class _Sentence:
                 return False
             is_after = word == "after" and (following in AMOUNTS or following.isdigit())
             if is_after or (word in CONDITIONS and at + 2 < len(words)):
-                return not _phrase_at(words, at, _NO_PLACES)
+                return not phrase_at(words, at, _NO_PLACES)
         return False
 
 
@@ -314,8 +314,8 @@ def find_cry(text: str) -> Optional[Cry]:
             continue
         found = _Sentence(words[first:last], is_first=first == 0).cry()
         if found is not None:
-            kind, end = found
-            return Cry(kind, said[tokens[first + end - 1].end :])
+            kind, begin, end = found
+            return Cry(kind, said[tokens[first + end - 1].end :], said[: tokens[first + begin].start])
     return None
 
 

@@ -21,9 +21,10 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Empty, String
 
+from command_server.beside_cries import words_not_done
 from command_server.ros_orders_back import OrdersTakenBack, may_be_order_taken_back
 from command_server.stop_words import is_stop
-from roboframenet_ros.command_ids import TextIds, TextSource
+from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
@@ -31,8 +32,9 @@ from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
-from robot_stop.sentences import sentence_of
+from robot_stop.sentences import REST_NOT_DONE, sentence_of, sentence_of_rest
 from robot_stop.settings import BrakeSettings
+from stop_server.heard_once import HeardOnce
 from stop_server.other_answers import OtherAnswers
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
 from stop_server.unheard_texts import UnheardTexts
@@ -72,7 +74,7 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``status``, ``text_taken``,
+    Subscribes: ``text``, ``command/goal``, ``cry_heard``, ``frame_servers``, ``reply``, ``status``, ``text_taken``,
     ``command_server_started``; for a robot of a fleet also ``fleet_text``, ``fleet_command/goal``, ``fleet``.
     Publishes: ``stop_report``, ``reply``, ``<server>/cancel`` of the action servers, zero velocity. Actions:
     ``stopping``.
@@ -88,6 +90,7 @@ class StopServerNode:
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
         self._unheard = UnheardTexts()
+        self._heard_once = HeardOnce()
         self._orders_back = OrdersTakenBack()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
@@ -102,12 +105,13 @@ class StopServerNode:
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("status", CommandStatus, self._orders_back.hear_status),
-            rospy.Subscriber("text", String, lambda message: self._hear(message.data, "")),
+            rospy.Subscriber("text", String, lambda message: self._hear(message.data, is_goal=False)),
             rospy.Subscriber(
                 "command/goal",
                 ExecuteCommandActionGoal,
-                lambda message: self._hear(message.goal.text, message.goal_id.id),
+                lambda message: self._hear(message.goal.text, is_goal=True, command_id=message.goal_id.id),
             ),
+            rospy.Subscriber("cry_heard", Command, self._hear_of_cry, tcp_nodelay=True),
             rospy.Subscriber("frame_servers", FrameServers, self._hear_servers),
             rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
             rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
@@ -130,12 +134,24 @@ class StopServerNode:
         self._brake.close(timeout_s=_JOIN_TIMEOUT_S)
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
-    def _hear(self, text: str, command_id: str) -> None:
+    def _hear(self, text: str, *, is_goal: bool, command_id: str = "") -> None:
         if is_stop(text) and not self._orders_back.is_meant(text):
-            self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
+            with self._lock:
+                is_new = self._heard_once.hears(text, is_goal=is_goal, command_id=command_id)
+            if is_new:
+                self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text)
+
+    def _hear_of_cry(self, command: Command) -> None:
+        """The command server has heard a cry: so has this node, or the client was not connected to it yet."""
+        with self._lock:
+            is_new = self._heard_once.is_told(
+                command.text, is_goal=came_by_action(command.id), command_id=command.id
+            )
+        if is_new:
+            self._stop(_StopHeard(text=command.text, stamp=command.stamp, command_id=command.id))
 
     def _hear_shared(self, text: str) -> None:
         """Something was said to all robots: it may stop this one. Its reply is the business of others."""
@@ -154,6 +170,8 @@ class StopServerNode:
 
     def _hear_start(self) -> None:
         """The command server was started; some time later, reply to what was said while it did not run."""
+        with self._lock:
+            self._heard_once.forget()
         timer = threading.Timer(_TAKEN_S, self._answer_unheard, args=(time.monotonic() + _LISTENING_S,))
         timer.daemon = True
         timer.start()
@@ -233,13 +251,15 @@ class StopServerNode:
         elif not finding.is_first or not self._is_answered(told):
             report = self._report_of(told, finding=finding, sentence=sentence)
             if finding.is_first and not told.heard.is_shared:
+                rest = sentence_of_rest(words_not_done(told.heard.text))
+                code = "NOT_STOPPED" if not finding.obedience.is_complete else REST_NOT_DONE if rest else "DONE"
                 report.reply = Reply(
                     command=told.command,
                     stage=STAGE,
-                    sentence=sentence,
+                    sentence=f"{sentence} {rest}".strip(),
                     stamp=rospy.Time.now(),
-                    outcome=Reply.DONE if finding.obedience.is_complete else Reply.FAILED,
-                    code="DONE" if finding.obedience.is_complete else "NOT_STOPPED",
+                    outcome=Reply.DONE if code == "DONE" else Reply.FAILED,
+                    code=code,
                 )
             self._report.publish(report)
             if finding.is_first and report.reply.command.id:

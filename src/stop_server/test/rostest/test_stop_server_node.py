@@ -11,6 +11,7 @@ from actionlib.msg import TestAction, TestGoal
 from actionlib_msgs.msg import GoalID, GoalStatus
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
+    Command,
     ExecuteCommandActionGoal,
     FilledSemanticFrame,
     FilledSemanticFrameAction,
@@ -128,6 +129,28 @@ class StopServerNodeTest(unittest.TestCase):
         message.goal.text = "please stop"
         self.goal.publish(message)
         self.assertEqual("goal_7", self.answer_to("please stop")[0].command.id)
+
+    def test_a_cry_that_only_the_command_server_has_heard_stops_and_one_that_both_hear_stops_once(self):
+        told = rospy.Publisher("cry_heard", Command, queue_size=10)
+        wait_until(lambda: told.get_num_connections() == 1)
+        told.publish(Command(id="goal_8", stamp=rospy.Time.now(), text="stop it"))
+        self.assertEqual("goal_8", self.answer_to("stop it")[0].command.id)
+        both = ExecuteCommandActionGoal(goal_id=GoalID(id="goal_9"))
+        both.goal.text = "stop that"
+        self.goal.publish(both)
+        told.publish(Command(id="goal_9", stamp=rospy.Time.now(), text="stop that"))
+        self.text.publish("halt now")
+        told.publish(Command(id="text-1", stamp=rospy.Time.now(), text="halt now"))
+        self.text.publish("Halt at last!")
+        self.answer_to("Halt at last!")
+        texts = [reply.command.text for reply in list(self.replies)]
+        self.assertEqual([1, 1, 1], [texts.count(text) for text in ("stop it", "stop that", "halt now")], texts)
+
+    def test_what_was_said_beside_a_stop_is_named(self):
+        self.text.publish("Move forward one meter, no wait, two meters.")
+        reply, _ = self.answer_to("Move forward one meter, no wait, two meters.")
+        self.assertEqual((Reply.FAILED, "REST_NOT_DONE"), (reply.outcome, reply.code))
+        self.assertIn('I did not do the rest: "Move forward one meter" and "two meters".', reply.sentence)
 
     def test_each_stop_of_a_flood_gets_its_reply_and_nothing_else_does(self):
         for _ in range(25):

@@ -6,13 +6,13 @@ from typing import Callable
 
 import rospy
 from actionlib_msgs.msg import GoalID
-from roboframenet_msgs.msg import ExecuteCommandActionGoal, ExecuteCommandGoal, Reply, StopReport
+from roboframenet_msgs.msg import ExecuteCommandActionGoal, ExecuteCommandGoal, StopReport
 from std_msgs.msg import String
 
 from command_server.stop_words import is_stop
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
-from robot_stop.sentences import sentence_of
+from robot_stop.sentences import STOPPED_CODES, sentence_of
 from robot_stop.settings import BrakeSettings
 from web_console.views import StopView
 
@@ -111,7 +111,7 @@ class Speaker:
         """The stop server has stopped the robot, or knows more about it."""
         self._is_answered = True
         if report.reply.command.id:
-            state = "stopped" if report.reply.outcome == Reply.DONE else "not_stopped"
+            state = "stopped" if report.reply.code in STOPPED_CODES else "not_stopped"
             self._tell(StopView(max(1, self._stop.number), state, report.reply.sentence))
         elif report.sentence:
             state = "not_stopped" if report.disobeying else "stopped"
