@@ -1,14 +1,17 @@
 """What a robot in a home can do with things, persons and places that were named in words."""
 
+import contextlib
 import math
 from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from home_servers.body import Body, CannotDo
 from home_servers.memory import Known, is_any, is_whole
 from home_servers.places import HOLDING, RELATIONS, Place
+from roboframenet_ros.spoken_text import join_with_and
 from roboframenet_sim.home_actions import Action, Failure
+from semantic_frames.semantic_type import with_parents
 from typed_arguments import FilledFrame, TypedArgument
-from word_classes import word_class
+from word_classes import without_determiner, word_class
 
 #: How often an action is tried again after a failure of one kind was put right.
 _MOST_TRIES = 3
@@ -27,6 +30,9 @@ _COMPANY_S = 300.0
 POSTURES = ("sitting", "standing", "walking")
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
+_HANDS = 2
+#: FrameNet's semantic type of what can be seen somewhere.
+_TOUCHABLE = "Physical_entity"
 #: Hand height above which the lift is raised.
 _LIFT_UP_M = 0.3
 
@@ -173,9 +179,22 @@ class Skills:
         return self.find_all(argument, *sorts, near=near)[0]
 
     def find_all(
-        self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None, least: int = 1
+        self,
+        argument: TypedArgument,
+        *sorts: str,
+        near: Optional[TypedArgument] = None,
+        least: int = 1,
+        at_first: Sequence[Known] = (),
     ) -> List[Known]:
-        """Return all that an argument means, as many as it counts; see :meth:`find`."""
+        """Return all that an argument means, as many as it counts; see :meth:`find`.
+
+        Args:
+            argument: words and their meaning
+            sorts: see :meth:`find`
+            near: see :meth:`find`
+            least: so many are needed
+            at_first: where it may be; searched before the rest of the home
+        """
         if argument.text.lower() in SPEAKERS or argument.head.lower() in SPEAKERS:
             return [self.speaker()]
         met = self.memory.get(self.memory.met[0])
@@ -191,7 +210,7 @@ class Skills:
             found = self._here_first(argument, sorts, found)
         need = max(least, argument.count or 1)
         if len(found) < need:
-            self._seek(argument, sorts, place, need)
+            self._seek(argument, sorts, place, need, at_first)
             found = self._matching(argument, sorts, place)
         if not found:
             raise CannotDo(self._unseen(argument, place))
@@ -247,10 +266,23 @@ class Skills:
         """Whether something is in a room, or on, in, under, ... something; a person is at what is near."""
         return Place(place, relation).has(one, self.memory)
 
-    def _seek(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Place], need: int) -> None:
-        """Look where the thing is said to be, or else in every room, until it is seen."""
+    def _seek(
+        self,
+        argument: TypedArgument,
+        sorts: Sequence[str],
+        place: Optional[Place],
+        need: int,
+        at_first: Sequence[Known],
+    ) -> None:
+        """Look where the thing is said to be, or else in every room, until it is seen.
+
+        Raises:
+            CannotDo: it is nothing that can be seen anywhere: "the speed"
+        """
         if sorts and not {"thing", "person"}.intersection(sorts):
             return
+        if argument.semantic_type and _TOUCHABLE not in with_parents(argument.semantic_type):
+            raise CannotDo(f"I know of no {without_determiner(argument.text)}, and cannot look for it.")
         told = self.memory.get(self.memory.told_place(argument))
         inner = self._inner_place(argument)
         targets = [one.known for one in (place, inner) if one is not None] + ([told] if told is not None else [])
@@ -260,6 +292,9 @@ class Skills:
 
         if targets:
             self._look_in_each(targets, is_seen)
+            return
+        self._look_in_each(at_first, is_seen)
+        if is_seen():
             return
         # First where no door must be opened, then behind doors, then in furniture.
         self._opens_doors = False
@@ -393,11 +428,50 @@ class Skills:
             self.attempt("grasp", theme=thing.id)
         self.attempt("lift", amount=0.0)
 
-    def free_hand(self) -> None:
-        """Put down one thing when both hands are full."""
-        held = list(self.body.held())
-        if len(held) >= 2:
-            self.put_down(held[0])
+    @contextlib.contextmanager
+    def borrowed(self, thing: Optional[Known]) -> Iterator[None]:
+        """Hold a tool for a task, and put it back where it was when the task ends, whether that was done or not.
+
+        What the robot held before, somebody wanted it to hold: it stays in the hand.
+
+        Args:
+            thing: the tool; None for bare hands
+        Raises:
+            CannotDo: the hands are full, it cannot be taken, or the task was done and it cannot be put back
+        """
+        held = self.body.held()
+        if thing is None or thing.id in held:
+            yield
+            return
+        if len(held) >= _HANDS:
+            names = join_with_and(one.the_name for one in map(self.memory.get, held) if one is not None)
+            raise CannotDo(f"My hands are full: I hold {names}. I need a hand for {thing.the_name}.")
+        self.take(thing)
+        try:
+            yield
+        except CannotDo as reason:
+            try:
+                self._put_back(thing)
+            except CannotDo:
+                raise CannotDo(f"{reason} I still hold {thing.the_name}.") from reason
+            raise
+        self._put_back(thing)
+
+    def _put_back(self, thing: Known) -> None:
+        """
+        Raises:
+            CannotDo: it cannot be put where it was
+        """
+        place = self.memory.get(thing.holder)
+        if thing.id not in self.body.held() or place is None:
+            return
+        try:
+            if place.sort == "furniture" and "closed" in place.states:
+                self.go(place.id)
+                self._open_way(place.id)
+            self.put(thing.id, place, "to" if place.sort == "person" else thing.relation)
+        except CannotDo as reason:
+            raise CannotDo(f"I cannot put {thing.the_name} back: {reason}") from reason
 
     def put(self, thing: str, place: Known, relation: str) -> None:
         """Put a held thing on, in, under, beside a place; "to" and "at" are on or in, whatever goes.

@@ -122,11 +122,11 @@ def question_of_speaker(objects: Sequence[WorldObject], world: World) -> str:
 
 
 def unknown_of(argument: TypedArgument) -> str:
-    """Return a sentence that says that nothing is known of what a phrase refers to: "I have not seen a mug."."""
+    """Return a sentence that says that nothing is known of what a phrase refers to: "I know of no mug."."""
     if argument.semantic_type == "Human" and not argument.quantifier:
         return f"I do not know {as_said(argument)}."
     noun = bare_noun(argument)
-    return f"I have not seen {f'any {noun}' if argument.is_plural else article(noun)}."
+    return f"I know of no {noun}."
 
 
 def as_said(argument: TypedArgument) -> str:
