@@ -231,15 +231,14 @@ def tidy(skills: Skills, frame: FilledFrame) -> None:
     lying = [one.the_name for one in skills.memory.all("thing") if one.holder == place.id and one.relation == "on"]
     if lying:
         names = join_with_and(dict.fromkeys(lying))
-        belongs = "belongs" if len(lying) == 1 else "belong"
-        raise CannotDo(f"On {place.the_name} I see {names}. I do not know where that {belongs}: tell me where to put it.")
+        raise CannotDo(f"On {place.the_name} I see {names}. I do not know where that belongs: tell me where to put it.")
     skills.answer(f"Nothing lies on {place.the_name}.")
 
 
 def pour(skills: Skills, frame: FilledFrame) -> None:
     """Pour a liquid from its bottle into something."""
-    with skills.borrowed(skills.find(argument(frame, "fluid"), "thing")):
-        fluid = skills.find(argument(frame, "fluid"), "thing")
+    fluid = skills.find(argument(frame, "fluid"), "thing")
+    with skills.borrowed(fluid):
         vessel = skills.find(argument(frame, "goal"), "thing", "furniture")
         skills.attempt("pour", theme=fluid.id, goal=vessel.id)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Callable, Dict, List, Sequence
 
 from question_answering.answers_about_deeds import ABOUT_DEEDS
-from question_answering.answers_about_holders import ABOUT_HOLDERS
+from question_answering.answers_about_holders import ABOUT_HOLDERS, what_is_held
 from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
@@ -40,7 +40,7 @@ from referring_expressions.describing import (
 from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative, most_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import spoken
-from typed_arguments import Modifier, TypedArgument
+from typed_arguments import Modifier, Source, TypedArgument
 from word_classes import word_class
 from world_model import Sort, World, WorldObject
 from world_model.world_object import FILE, ROBOT_ID
@@ -210,6 +210,9 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     if "alternative" in arguments:
         return _place(arguments, known)
+    if "location" not in arguments and (is_definite(theme) or theme.source is Source.INFERRED):
+        # "Do you have it?"
+        return what_is_held({"theme": theme}, known)
     candidates = found_of(theme, known, is_wide=True)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
     if "location" in arguments and not is_known_place(arguments["location"], known):

@@ -69,6 +69,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
     frame = known.frames[reading.unit.frame_name]
+    context = without_named_beside(reading, context)
     things = context.things
     place = context.place
     container = _container_meant(reading, things, known.types)
@@ -120,6 +121,16 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             value = so_many(value, count or None, kind) if count or is_some(value) else value
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def without_named_beside(reading: Reading, context: Context) -> Context:
+    """Return the context without what a reading names itself: in "bring *them* to Anna", they are not Anna."""
+    named = {value.text.lower() for value in reading.arguments if value.positions}
+    return replace(
+        context,
+        things=tuple(thing for thing in context.things if thing.text.lower() not in named),
+        persons=tuple(person for person in context.persons if person.text.lower() not in named),
+    )
 
 
 def _contrasted(value: TypedArgument, reading: Reading) -> Optional[TypedArgument]:

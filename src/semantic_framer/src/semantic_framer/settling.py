@@ -28,7 +28,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase, remember, resolve
+from semantic_framer.references import noun_phrase, remember, resolve, without_named_beside
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import accepted_types
 from semantic_framer.wishes import without_granted_wishes
@@ -248,7 +248,8 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
                 now.write("references", str(reading), str(outcome))
     is_of_persons = all(value.text.lower() in _PERSONS_OR_THINGS for _, value in unresolved)
     # "Greet the guests and take *them* to the hall" carries nothing: no thing was mentioned.
-    if unresolved and not (resolved and context.persons and is_of_persons):
+    are_persons_meant = any(without_named_beside(reading, context).persons for reading in resolved)
+    if unresolved and not (are_persons_meant and is_of_persons):
         now.write("references", unresolved[0][1].text, "asked. It is not known what it stands for.")
         question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)

@@ -96,6 +96,17 @@ class Store:
             store, number = connection.execute("SELECT store, number FROM version").fetchone()
         return f"{store}-{number}"
 
+    def clear(self) -> int:
+        """Forget everything that was learned; return of how many objects that was.
+
+        Raises:
+            StoreError: it is not forgotten
+        """
+        with self._file.reading() as connection:
+            names = tuple(name for (name,) in connection.execute("SELECT id FROM learned").fetchall())
+        self.write(Change(forgotten=names))
+        return len(names)
+
     def close(self) -> None:
         """Close the file."""
         self._file.close()
