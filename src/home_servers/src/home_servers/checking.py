@@ -16,6 +16,8 @@ from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
 from word_classes import without_determiner
 
 _STATE, _PLACE = "condition_of_state", "condition_of_place"
+#: So many doors are named when it is open which one is meant, the nearest first.
+_MOST_NAMED = 4
 #: Actions that bring a state about: kind and value.
 _ACTIONS: Dict[str, Tuple[str, str]] = {
     "closed": ("close", ""),
@@ -152,7 +154,8 @@ def _meant(skills: Skills, statement: EmbeddedFrame) -> List[Known]:
     is_named = any(name.lower() in wanted_names(theme) for name in found[0].names)
     if is_of_all or is_any(theme) or theme.referents or is_named or len(same) < 2:
         return found
-    raise CannotDo(f"I do not know which door is meant: {join_with_or([one.the_name for one in same])}.")
+    names = [one.the_name for one in same[:_MOST_NAMED]] + ["another one"] * (len(same) > _MOST_NAMED)
+    raise CannotDo(f"I do not know which door is meant: {join_with_or(names)}.")
 
 
 def _is_at_place(skills: Skills, statement: EmbeddedFrame) -> Tuple[bool, str]:

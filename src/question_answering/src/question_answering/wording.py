@@ -16,7 +16,7 @@ from referring_expressions.describing import (
 )
 from referring_expressions.fitting import at_place
 from semantic_types import spoken
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 from world_model import Sort, WorldObject
 
@@ -95,7 +95,8 @@ def name_for(theme: TypedArgument, one: WorldObject) -> str:
     """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
     is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
     if one.name or not is_its_noun:
-        return name_of(one)
+        # "It" was "the mug on the table" when it was spoken of.
+        return full_name(one) if theme.source is Source.INFERRED else name_of(one)
     # "Your keys" are those of which the robot knows whose they are.
     return definite(theme) if theme.possessor is None or one.related("of") else f"the {bare_noun(theme)}"
 
@@ -103,6 +104,8 @@ def name_for(theme: TypedArgument, one: WorldObject) -> str:
 def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
     """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
     not be the box that is meant; nor is the towel the "cloth"."""
+    if theme.source is Source.INFERRED:
+        return False  # "It" names no kind.
     said = {theme.lemma.lower(), theme.head.lower()}
     return one.sort is not Sort.PERSON and not said & _GENERAL and not _called(one) & said
 
