@@ -72,17 +72,16 @@ def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnow
     if ever == now:
         return now
     about = _concerned(named, known)
-    if frame_name in _DATED and len(about) == 1:
+    if frame_name in _DATED and len(found_of(named["theme"], known)) == 1:
         return ever
     return f"{now} As of {when_known(about, known)}: {ever}"
 
 
 def _concerned(arguments: Arguments, known: RobotKnowledge) -> Sequence[WorldObject]:
-    """Return what a question is about, and what is at the places that it names."""
+    """Return what a question is about, and what is on it, in it, or held by it."""
     about = [one for argument in arguments.values() for one in found_of(argument, known)]
-    places = [one for name in ("location", "agent", "owner") for one in found_of(arguments.get(name), known)]
-    there = known.world.at("in", places) | known.world.at("on", places) | known.world.at("held_by", places)
-    return [*about, *known.situation.objects(sorted(there))]
+    there = (known.world.at(relation, about) for relation in ("in", "on", "held_by"))
+    return [*about, *known.situation.objects(sorted(frozenset().union(*there)))]
 
 
 def _of_somebody(mine: TypedArgument, known: RobotKnowledge) -> str:

@@ -3,7 +3,16 @@
 from typing import Callable, Dict, FrozenSet
 
 from question_answering.robot_knowledge import RobotKnowledge
-from question_answering.wording import MOST_NAMED, Arguments, Objects, found_of, full_name, indefinite, name_for, verb_of
+from question_answering.wording import (
+    MOST_NAMED,
+    Arguments,
+    Objects,
+    found_of,
+    full_name,
+    indefinite,
+    name_for,
+    verb_of,
+)
 from referring_expressions import unknown_of
 from referring_expressions.describing import name_of, place_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital

@@ -173,6 +173,7 @@ STOPPED = Deed("Follow me.", Outcome.SUPERSEDED, "A stop ended it.")
 CRY = Deed("Stop!", Outcome.DONE, "I stand still.", is_stop=True)
 NOT_SAID = 'I did not do "say hello", because "it is noon" did not hold.'
 IN_PART = Deed("If it is noon, say hello.", Outcome.DONE, f"Done. {NOT_SAID}")
+BEGAN = 'I was carrying out "Follow me.", and then you said "Stop!".'
 FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
 
 
@@ -186,7 +187,7 @@ FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
             "Why did you stop?",
             (STOPPED, CRY, FAILED, WENT),
             "",
-            'I was carrying out "Follow me.", and then you said "Stop!". Since then, I have carried out "Go to the kitchen.".',
+            f'{BEGAN} Since then, I have carried out "Go to the kitchen.".',
         ),
         # The replies to a stop, and to what it ends, come in any order.
         ("Why did you stop?", (WENT, CRY, STOPPED), "", 'I was carrying out "Follow me.", and then you said "Stop!".'),
@@ -415,7 +416,8 @@ def test_a_time_is_told_as_people_tell_it(now: datetime, expected: str) -> None:
 def test_what_was_given_away_is_known_to_be_gone(pipeline: Pipeline, home: World) -> None:
     gone = replace(home.by_id["bottle_1"], relations=(Relation("held_by", "anna"),))
     world = snapshot("2", {**home.by_id, "bottle_1": gone})
-    there = TypedArgument("theme", "the bottle on the table", Source.INFERRED, head="it", lemma="it", referents=("bottle_1",))
+    words = "the bottle on the table"
+    there = TypedArgument("theme", words, Source.INFERRED, head="it", lemma="it", referents=("bottle_1",))
     known = RobotKnowledge(world)
     assert answer("question_of_being_there", [there], known) == (
         "No, as far as I know: the bottle is held by Anna in the kitchen."

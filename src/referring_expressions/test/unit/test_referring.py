@@ -199,8 +199,8 @@ def test_whose_it_is_is_open_while_nobody_knows_who_speaks(home: World) -> None:
     assert resolved("my mug", home, speaker="ben").ids == ("mug_2",)
     assert resolved("my lamp", home).ids == ("lamp_1", "lamp_2")
     assert not is_speaker_asked_for(phrase("my lamp"), Situation(home), home.exactly("lamp"))
-    everybodys = World("1", tuple(replace(one, relations=(*one.relations, Relation("of", "anna"))) for one in home.objects))
-    assert resolved("my lamp", everybodys, speaker="ben") == Referents()
+    hers = tuple(replace(one, relations=(Relation("of", "anna"),)) for one in home.exactly("lamp"))
+    assert resolved("my lamp", World("1", hers), speaker="ben") == Referents()
     assert question_of_speaker((home.by_id["mug_1"],), home) == "Who are you? I know the mug of Anna."
 
 

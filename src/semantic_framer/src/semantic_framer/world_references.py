@@ -66,9 +66,7 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
             arguments.append(_like(argument, meant, situation))
             continue
         found = resolve(argument, situation)
-        is_open = found is not None and (
-            found.is_ambiguous or is_speaker_asked_for(argument, situation, found.objects)
-        )
+        is_open = found is not None and (found.is_ambiguous or is_speaker_asked_for(argument, situation, found.objects))
         if found is not None and found.objects and is_open and not frame.is_question:
             unclear = unclear or _unclear(argument, found, situation)
         arguments.append(argument if is_open else with_referents(argument, situation))
