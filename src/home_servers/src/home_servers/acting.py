@@ -209,12 +209,11 @@ class Acting:
             CannotDo: it cannot be put where it was
         """
         place = self.memory.get(thing.holder)
-        if thing.id not in self.body.held() or place is None:
+        if thing.id not in self.body.held():
             return
+        if place is None:
+            raise CannotDo(f"I do not know where {thing.the_name} was, and still hold it.")
         try:
-            if place.sort == "furniture" and "closed" in place.states:
-                self.go(place.id)
-                self._open_way(place.id)
             self.put(thing.id, place, "to" if place.sort == "person" else thing.relation)
         except CannotDo as reason:
             raise CannotDo(f"I cannot put {thing.the_name} back: {reason}") from reason

@@ -244,7 +244,7 @@ class RosBody:
             rooms, furniture = self._rooms, self._furniture
         me = [one for one in message.objects if one.id == _ROBOT]
         with self._lock:
-            is_anew = bool(me) and me[0].stamp < self._seen[1]
+            is_anew = bool(me) and rospy.Time() < me[0].stamp < self._seen[1]
         if is_anew:
             self.memory.begin_anew()
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]

@@ -113,7 +113,9 @@ class WorldModelTest(unittest.TestCase):
         self.assertGreater(known["mug_1"].place_of_before.to_sec(), 1e9)
         self.assertEqual(known["table_1"].place_of_before.to_sec(), 0.0)
         self.update(thing("mug_1", relations=[WorldRelation("held_by", "anna")]))
-        wait_until(lambda: [one.place_of_before.to_sec() for one in self.worlds[-1].objects if one.id == "mug_1"] == [0])
+        wait_until(
+            lambda: [one.place_of_before.to_sec() for one in self.worlds[-1].objects if one.id == "mug_1"] == [0]
+        )
 
     def test_8_forgetting_leaves_what_the_file_says(self) -> None:
         answer = rospy.ServiceProxy("forget_world", Trigger)()
