@@ -39,6 +39,7 @@ COMMANDS = (
         "experience.experience_command",
         "list, explain, reset, export or import what was tried",
     ),
+    ("forget", "roboframenet_tools.ros_forget", "let the robot forget what it has learned of things and places"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),

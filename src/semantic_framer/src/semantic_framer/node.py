@@ -129,7 +129,7 @@ class SemanticFramer:
         self._is_announced = False
         self._robots = Names({})
         self._world = World()
-        self._speaker = ""
+        self._speaker = settings.speaker
         self._problem_count = 0
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
@@ -212,7 +212,7 @@ class SemanticFramer:
 
     def _on_speaker(self, message: String) -> None:
         with self._lock:
-            self._speaker = message.data
+            self._speaker = message.data or self._settings.speaker
 
     def _on_world(self, message: WorldMessage) -> None:
         # The categories of the objects are looked up here, and not while a command waits.

@@ -29,7 +29,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase, remember, resolve
+from semantic_framer.references import noun_phrase, remember, resolve, without_named_beside
 from semantic_framer.said_twice import said_twice
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import accepted_types
@@ -248,17 +248,19 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
     """Return the readings of a clause with their pronouns resolved, or the question to ask."""
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, TypedArgument]] = []
+    others_named = False
     for reading in readings:
         outcome = resolve(reading, context, now.known)
         if isinstance(outcome, TypedArgument):
             unresolved.append((reading, outcome))
         else:
             resolved.append(outcome)
+            others_named |= bool(without_named_beside(reading, context).persons)
             if outcome != reading:
                 now.write("references", str(reading), str(outcome))
     is_of_persons = all(value.text.lower() in _PERSONS_OR_THINGS for _, value in unresolved)
     # "Greet the guests and take *them* to the hall" carries nothing: no thing was mentioned.
-    if unresolved and not (resolved and context.persons and is_of_persons):
+    if unresolved and not (resolved and is_of_persons and others_named):
         now.write("references", unresolved[0][1].text, "asked. It is not known what it stands for.")
         question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)
