@@ -147,9 +147,7 @@ class StopServerNode:
     def _hear_of_cry(self, command: Command) -> None:
         """The command server has heard a cry: so has this node, or the client was not connected to it yet."""
         with self._lock:
-            is_new = self._heard_once.is_told(
-                command.text, is_goal=came_by_action(command.id), command_id=command.id
-            )
+            is_new = self._heard_once.is_told(command.text, is_goal=came_by_action(command.id), command_id=command.id)
         if is_new:
             self._stop(_StopHeard(text=command.text, stamp=command.stamp, command_id=command.id))
 
