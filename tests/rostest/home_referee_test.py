@@ -12,9 +12,9 @@ sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", 
 from home_referee.annotated import read_annotated, slots_of
 from home_referee.commands import draw
 from home_referee.judging import Verdict, judge, table
+from roboframenet_msgs.msg import Reply
 
 from home_runs import RosRuns
-from roboframenet_msgs.msg import Reply
 from roboframenet_rostest import say, wait_for_pipeline
 from roboframenet_testing.waiting import wait_until
 
