@@ -167,7 +167,9 @@ class Memory:
         fitting = [(s, one) for s, one in scored if asked <= {*one.attributes, *one.states, *_name_words(one)}]
         fitting.sort(key=lambda pair: (pair[0], math.dist(here, (pair[1].x_m, pair[1].y_m)) if here else 0.0))
         found = [by_id[one.id] for _, one in fitting]
-        return found + [one for one in referents if one not in found]
+        found += [one for one in referents if one not in found]
+        places = self.find(argument.possessor, "furniture", "room") if argument.possessor is not None else []
+        return [one for one in found if any(_is_part_of(one, place) for place in places)] if places else found
 
 
 _WHOLE = word_class("determiners_of_all")
@@ -175,6 +177,18 @@ _INDEFINITE = word_class("determiners_of_any")
 _PRONOUNS = word_class("indefinite_pronouns")
 _DETERMINERS = word_class("determiners_and_possessives")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
+
+
+def _is_part_of(one: Known, place: Known) -> bool:
+    """Whether a thing is that of a piece of furniture or a room, "the desk's drawer": by its place, or by its name."""
+    if place.id in (one.holder, one.room):
+        return True
+    names = frozenset(name.lower() for name in one.names)
+    return any(
+        f"{place_name} {word}" in names
+        for place_name in map(str.lower, place.names)
+        for word in (one.category, one.name)
+    )
 
 
 def is_any(argument: TypedArgument) -> bool:

@@ -40,6 +40,22 @@ def test_memory_keeps_what_is_newer():
     assert memory.get("mug").relation == ""
 
 
+@pytest.mark.parametrize(
+    "owner, what, found",
+    [
+        ("the desk", "drawer", ["desk_drawer"]),
+        ("the kitchen", "drawer", ["drawer"]),
+        ("the hall table", "drawer", []),
+        ("the kitchen", "door", ["kitchen_door"]),
+        ("Anna", "drawer", ["drawer", "desk_drawer"]),
+    ],
+)
+def test_the_part_of_a_piece_of_furniture_is_no_other_one(owner, what, found):
+    _, body, _ = make()
+    said = phrase(f"{owner}'s {what}", possessor=phrase(owner))
+    assert [one.id for one in body.memory.find(said, "furniture", "door")] == found
+
+
 def test_modifiers_tell_things_apart():
     memory = Memory()
     memory.update(
