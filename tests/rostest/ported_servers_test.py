@@ -60,6 +60,8 @@ def counting(make_server: Any, name: str) -> Any:
             if goal.order != LONG:
                 server.publish_feedback(feedback)
             rospy.sleep(0.01)
+        if goal.order == 2:
+            raise KeyError("/x")
         if goal.order == 0:
             server.set_aborted(FibonacciResult(), "nothing to count")
         elif goal.order != 3:  # order 3: the callback forgets to end the goal
@@ -98,9 +100,9 @@ class Client:
 
 
 def story(name: str) -> List[Record]:
-    """Return what a client sees: success, abort, a forgotten end, a cancel, a goal that replaces another."""
+    """Return what a client sees: success, abort, a forgotten end, an exception, a cancel, a goal that replaces one."""
     client = Client(name)
-    records = [client.end(client.send(order)) for order in (5, 0, 3)]
+    records = [client.end(client.send(order)) for order in (5, 0, 3, 2)]
     cancelled = client.send(LONG)
     wait_until(lambda: cancelled.get_goal_status() == GoalStatus.ACTIVE)
     cancelled.cancel()
@@ -257,7 +259,7 @@ def counting_with_frames() -> RFNServer:
         FibonacciAction,
         execute_cb=execute,
         auto_start=False,
-        frame_callback=lambda frame: FibonacciGoal(order=len(frame.frame_elements)),
+        frame_callback=lambda frame: FibonacciGoal(order=len(frame["samples"].text)),
     )
     server.start()
     return server

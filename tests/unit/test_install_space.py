@@ -44,7 +44,7 @@ def run(installed: Path, commands: str, folder: Path) -> "subprocess.CompletedPr
     "commands, printed",
     [
         ('rfn explain "Turn left."', "would run: turning(direction=left"),
-        ("rfn new waving; rfn check --examples .", "2 files, 0 problems"),
+        ("rfn new winking; rfn check --examples .", "2 files, 0 problems"),
         ("rfn doctor --no-master", "ok       models"),
         ("rfn --help", "bind"),
         ("rosrun roboframenet_tools rfn list", "lexical units"),

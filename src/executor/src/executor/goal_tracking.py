@@ -118,6 +118,8 @@ class Goal:
         outcome: only when ended
         reason: why it did not succeed, a clause that follows the name of the server; empty for success
         answer: what the server told when it succeeded; empty for nothing
+        told: what the server said at its end, however it ended; empty for nothing
+        is_succeeding: what its last feedback said; None before the first
         is_orphaned: the goal ended here but the server never said that it stopped
         is_withheld: the executor did not try the server: it is out of use, or the command has no time left
     """
@@ -135,6 +137,8 @@ class Goal:
     outcome: Optional[Outcome] = None
     reason: str = ""
     answer: str = ""
+    told: str = ""
+    is_succeeding: Optional[bool] = None
     is_orphaned: bool = False
     is_withheld: bool = False
 
@@ -169,6 +173,11 @@ def hear_sign(goal: Goal, *, now_s: float) -> Goal:
     return replace(goal, heard_s=now_s)
 
 
+def hear_feedback(goal: Goal, *, is_succeeding: bool, now_s: float) -> Goal:
+    """The server said whether this goal is on its way."""
+    return replace(goal, heard_s=now_s, is_succeeding=is_succeeding)
+
+
 def hear_status(goal: Goal, status: int, *, now_s: float) -> Goal:
     """The server reported the status of this goal."""
     goal = replace(goal, heard_s=now_s)
@@ -201,7 +210,7 @@ def hear_result(goal: Goal, status: int, *, success: Optional[bool], text: str, 
     """
     if goal.is_ended:
         return goal
-    goal = replace(goal, heard_s=now_s)
+    goal = replace(goal, heard_s=now_s, told=text.strip())
     try:
         code = GoalStatusCode(status)
         outcome = OUTCOME_OF_STATUS[code]

@@ -173,7 +173,7 @@ class ExecutorNode:
             timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
         )
         self._running_goals = RunningGoals(private + "running_goals")
-        self._profiles = ServerProfiles(default_silence_s=settings.condition_silence_s)
+        self._profiles = ServerProfiles(self._clients.close_gone, default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
         self._introspection = Introspection(is_enabled=settings.introspection)

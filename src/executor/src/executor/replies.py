@@ -92,6 +92,8 @@ def ending_of_run(
         )
     if outcome == SUCCEEDED:
         # Also when a preemption was requested: it succeeded first.
+        if story.is_time_lost:
+            return Ending(ReplyOutcome.FAILED, "LIMIT_REACHED", _text(*story.turns(), story.done_besides(), failures))
         done = f"Done, after {failures}" if failures else "Done."
         return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.answers(), *story.turns()))
     # A server that ignored the cancel may still move the robot; the person must know which one.
@@ -130,6 +132,23 @@ class _Story:
         told = (goal.answer for goal in self.goals if goal.outcome is Outcome.SUCCEEDED)
         return [as_sentence(with_capital(answer)) for answer in dict.fromkeys(told) if answer]
 
+    @property
+    def is_time_lost(self) -> bool:
+        """Whether the time of something was over while its server said that it does not succeed."""
+        return any(
+            goal.is_succeeding is False for number in range(len(self._parts)) for goal in self._ended_by_time(number)
+        )
+
+    def _ended_by_time(self, number: int) -> List[Goal]:
+        """Return the goals that a node ended because their time was over."""
+        part, record = self._parts[number]
+        is_over = isinstance(part, Until) and part.condition is None and record.ended_by is EndedBy.TIME
+        if not is_over or record.outcome != SUCCEEDED:
+            return []
+        inside = self._parts[number : number + sum(1 for _ in walk(part))]
+        last = (child.goals[-1] for one, child in inside if isinstance(one, Do) and child.goals)
+        return [goal for goal in last if goal.outcome is Outcome.PREEMPTED]
+
     def _children(self, number: int) -> List[NodeRecord]:
         """What became of the children of a node that are no conditions."""
         place, found = number + 1, []
@@ -149,11 +168,22 @@ class _Story:
         if isinstance(part, If) and part.otherwise is not None and children[1].begun:
             what = f'"{part.otherwise.label}", and not "{part.child.label}"'
             return f"I did {what}, because {_says(part.condition, holds=False)}."
+        if isinstance(part, Until) and part.condition is None:
+            return self._end_of_time(number)
         if isinstance(part, (Until, While)):
             return _end_of_work(part, record, children[0])
         if isinstance(part, Repeat) and record.begun == 1 and children[0].done > 1:
             return f'I did "{part.child.label}" {children[0].done} times.'
         return ""
+
+    def _end_of_time(self, number: int) -> str:
+        """Say what was ended because its time was over, and how far it came."""
+        part, record = self._parts[number]
+        if not isinstance(part, Until) or record.ended_by is not EndedBy.TIME:
+            return ""
+        reached = " ".join(as_sentence(with_capital(goal.told)) for goal in self._ended_by_time(number) if goal.told)
+        ended = f'I ended "{part.child.label}" after {_seconds(part.duration_s)}'
+        return f"{ended}: {reached}" if reached else f"{ended}."
 
     def failure(self) -> Tuple[str, str]:
         """Return the code and the sentence for a plan that failed: what was done and what was not, and why.
@@ -163,7 +193,9 @@ class _Story:
         failed = [(part, record) for part, record in self._clauses if record.outcome == ABORTED]
         reasons = [reason for reason in (_reason(part, record) for part, record in self._parts) if reason]
         if len(self._parts) == 1 and not reasons:
-            return "ALL_CANDIDATES_FAILED", f"Every way I tried failed: {describe_failures(self.goals)}"
+            ways = sum(goal.outcome is Outcome.FAILED for goal in self.goals)
+            what = "Every way I tried failed" if ways > 1 else "I could not do that"
+            return "ALL_CANDIDATES_FAILED", f"{what}: {describe_failures(self.goals)}"
         done = self._done()
         left = _labels(part for part, record in self._clauses if not record.begun)
         rest = f"I did not begin {left}." if left else ""
@@ -206,6 +238,11 @@ class _Story:
             f"I did not begin {left}." if left else "",
         ]
 
+    def done_besides(self) -> str:
+        """Return a sentence that names the clauses that were done; empty for none."""
+        done = self._done()
+        return f"I did {done}." if done else ""
+
     def done_before(self) -> str:
         """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""
         done = self._done() if len(self._parts) > 1 else ""
@@ -219,8 +256,7 @@ class _Story:
 def _end_of_work(part: Union[Until, While], record: NodeRecord, child: NodeRecord) -> str:
     label = f'"{part.child.label}"'
     if part.condition is None:
-        is_time = record.ended_by is EndedBy.TIME and isinstance(part, Until)
-        return f"I ended {label} after {_seconds(part.duration_s)}." if is_time and isinstance(part, Until) else ""
+        return ""
     if record.ended_by is EndedBy.CONDITION:
         did = "ended" if child.begun else "did not begin"
         return f"I {did} {label}, because {_says(part.condition, holds=isinstance(part, Until))}."

@@ -65,6 +65,17 @@ class ActionClients:
             dropped = self._take_unused()
         self._close_later(dropped)
 
+    def close_gone(self) -> None:
+        """Disconnect from servers that are gone and that no goal uses; returns at once."""
+        with self._lock:
+            gone = [
+                server
+                for server, connection in self._connections.items()
+                if server not in self._users and not connection.is_ready()
+            ]
+            dropped = [self._connections.pop(server) for server in gone]
+        self._close_later(dropped)
+
     def _take_unused(self) -> List[ActionConnection]:
         """With the lock held: take out the connections that were used longest ago, down to as many as are kept."""
         unused = [server for server in self._connections if server not in self._users]

@@ -20,7 +20,7 @@ from executor.patience import Patience
 from executor.quarantine import Quarantine
 from executor.ros_action_clients import ActionClients
 from executor.ros_driver_settings import DriverSettings
-from executor.ros_goal_news import Death, Sign, WakeUp, apply, header_text, read_transition
+from executor.ros_goal_news import Death, Feedback, Sign, WakeUp, apply, header_text, read_transition
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
@@ -184,14 +184,12 @@ class ActionStep(smach.State):
         connection.listen(on_sign)
         self._scope.listen(on_cancel)
         try:
-            return self._follow(connection, inbox, on_sign)
+            return self._follow(connection, inbox)
         finally:
             connection.unlisten(on_sign)
             self._scope.unlisten(on_cancel)
 
-    def _follow(
-        self, connection: ActionConnection, inbox: "queue.SimpleQueue[object]", on_sign: Callable[[], None]
-    ) -> Goal:
+    def _follow(self, connection: ActionConnection, inbox: "queue.SimpleQueue[object]") -> Goal:
         if self._read_news():
             return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         of_each = self._context.deadlines
@@ -206,7 +204,7 @@ class ActionStep(smach.State):
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
             header_text=header_text(self._frame),
             on_transition=lambda handle: self._hear(handle, inbox),
-            on_feedback=lambda _: on_sign(),
+            on_feedback=lambda feedback: inbox.put(Feedback(bool(feedback.is_succeeding))),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
         self._context.on_sent(self._frame)

@@ -32,7 +32,7 @@ class Feedback:
     """What the server says about the goal, and how old that was when it arrived, seconds."""
 
     is_succeeding: bool
-    age_s: float
+    age_s: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -64,6 +64,8 @@ def apply(goal: Goal, heard: object) -> Goal:
         return tracking.hear_death(goal, now_s=now_s)
     if isinstance(heard, WakeUp):
         return goal
+    if isinstance(heard, Feedback):
+        return tracking.hear_feedback(goal, is_succeeding=heard.is_succeeding, now_s=now_s)
     if not isinstance(heard, Transition):
         return tracking.hear_sign(goal, now_s=now_s)
     if heard.is_done:

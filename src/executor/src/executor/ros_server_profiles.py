@@ -1,7 +1,7 @@
 """What servers stated about themselves when they registered."""
 
 import json
-from typing import Dict, FrozenSet, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, Optional, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameServers, ServerProfile
@@ -14,11 +14,13 @@ from typed_arguments import FilledFrame
 class ServerProfiles:
     """Keeps from the latched topic what the executor needs to know of servers; any thread may ask."""
 
-    def __init__(self, *, default_silence_s: float) -> None:
+    def __init__(self, on_change: Callable[[], None] = lambda: None, *, default_silence_s: float) -> None:
         """
         Args:
+            on_change: called, from a thread of rospy, when a server was added or is gone
             default_silence_s: for how long a condition may be silent whose server states nothing
         """
+        self._on_change = on_change
         self._default_silence_s = default_silence_s
         self._profiles: Dict[Tuple[str, str], ServerProfile] = {}
         self._subscriber: Optional[rospy.Subscriber] = None
@@ -63,6 +65,7 @@ class ServerProfiles:
         self._profiles = {
             (callback.frame_name, callback.callback_topic): callback.profile for callback in message.callbacks
         }
+        self._on_change()
 
 
 def _value(name: str, text: str) -> Value:

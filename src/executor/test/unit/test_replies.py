@@ -244,6 +244,41 @@ def test_what_was_done_otherwise_than_said_is_told(plan, events, sentence):
 WAITING = InSequence("all", (Wait("when you see a wall", WALL, limit=Limit(30.0)), GREET))
 
 
+FOR_A_TIME = Until("x", DRIVE, None, 2.0)
+
+
+def cut(text, is_succeeding):
+    """A goal that was ended because its time was over."""
+    begun = tracking.ask_preempt(tracking.send("walk", GoalDeadlines(), now_s=0.0), now_s=0.0)
+    if is_succeeding is not None:
+        begun = tracking.hear_feedback(begun, is_succeeding=is_succeeding, now_s=0.5)
+    return tracking.hear_result(begun, GoalStatusCode.PREEMPTED, success=False, text=text, now_s=1.0)
+
+
+@pytest.mark.parametrize(
+    "is_succeeding, code, sentence",
+    [
+        (None, "DONE", 'Done. I ended "drive" after 2 seconds: I moved 0.5 m.'),
+        (True, "DONE", 'Done. I ended "drive" after 2 seconds: I moved 0.5 m.'),
+        (False, "LIMIT_REACHED", 'I ended "drive" after 2 seconds: I moved 0.5 m.'),
+    ],
+)
+def test_what_was_reached_when_the_time_was_over_is_told(is_succeeding, code, sentence):
+    events = [(0, OK, EndedBy.TIME), (1, CUT)]
+    assert told(FOR_A_TIME, *events, goals={1: cut("I moved 0.5 m", is_succeeding)}) == (code, sentence)
+    # It counts only for what its time ended: this one was over before.
+    assert told(FOR_A_TIME, (0, OK), (1, OK), goals={1: cut("", is_succeeding)}) == ("DONE", "Done.")
+
+
+def test_what_was_done_beside_something_stuck_is_told():
+    plan = InSequence("all", (HIDE, FOR_A_TIME))
+    events = [(0, OK), (1, OK), (2, OK, EndedBy.TIME), (3, CUT)]
+    assert told(plan, *events, goals={3: cut("", False)}) == (
+        "LIMIT_REACHED",
+        'I ended "drive" after 2 seconds. I did "hide".',
+    )
+
+
 @pytest.mark.parametrize(
     "plan,events,code,sentence",
     [

@@ -9,7 +9,8 @@ import yaml
 from frame_bindings.condition_file import ConditionBinding, read_condition
 from frame_bindings.statements import read_statement
 from rfnserver.goal_binding import SOURCE_KEYS
-from semantic_frames.marked_yaml import Reader, describe
+from rfnserver.results import BY_CONVENTION, ERROR_KEYS, ResultNames
+from semantic_frames.marked_yaml import Reader, describe, is_empty
 from semantic_frames.problem import FileRefused
 from semantic_frames.server_statement import STATEMENT_KEYS
 
@@ -22,6 +23,8 @@ class Kind(Enum):
     TOPIC = "topic"
 
 
+#: Keys that name fields of a result or a response.
+RESULT_KEYS = ("success_field", "text_field", "error_field")
 BINDING_KEYS = (
     "frame",
     "name",
@@ -31,8 +34,7 @@ BINDING_KEYS = (
     "type",
     "fields",
     "ignored_elements",
-    "success_field",
-    "text_field",
+    *RESULT_KEYS,
     "goal_timeout_s",
     "server_timeout_s",
     "preempt_timeout_s",
@@ -52,8 +54,7 @@ class Binding:
         type_name: "move_base_msgs/MoveBaseAction", "std_srvs/SetBool", "std_msgs/String"
         fields: by path of a field; see :mod:`rfnserver.goal_binding`
         ignored_elements: elements that need not fill a field
-        success_field: field of the response of a service that says whether it worked; empty for none
-        text_field: field of the response of a service with a text to say; empty for none
+        result_names: fields of the result of an action, or the response of a service, that say whether it worked
         server_timeout_s: how long to wait for the server, the service or a subscriber
         goal_timeout_s: how long an action or a service call may take
         preempt_timeout_s: how long an action may take to end after a cancel
@@ -68,8 +69,7 @@ class Binding:
     type_name: str
     fields: Mapping[str, Any] = field(default_factory=dict)
     ignored_elements: Tuple[str, ...] = ()
-    success_field: str = ""
-    text_field: str = ""
+    result_names: ResultNames = BY_CONVENTION
     server_timeout_s: float = 5.0
     goal_timeout_s: float = 300.0
     preempt_timeout_s: float = 5.0
@@ -141,9 +141,9 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         reader.report(
             "NOT_A_TYPE", entries["type"], f"{key}.type", f"'{type_name}'", "the action's type, such as pkg/MoveAction"
         )
-    for name in ("success_field", "text_field"):
-        if name in entries and kind is not Kind.SERVICE:
-            reader.report("UNKNOWN_KEY", entries[name], f"{key}.{name}", name, "only beside 'service'")
+    for name in RESULT_KEYS:
+        if name in entries and kind is Kind.TOPIC:
+            reader.report("UNKNOWN_KEY", entries[name], f"{key}.{name}", name, "only beside 'action' or 'service'")
     frame_name = reader.name(entries.get("frame"), f"{key}.frame")
     return Binding(
         frame_name=frame_name,
@@ -153,8 +153,7 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         type_name=type_name,
         fields=_fields(reader, entries.get("fields"), f"{key}.fields"),
         ignored_elements=reader.texts(entries.get("ignored_elements"), f"{key}.ignored_elements"),
-        success_field=reader.text(entries.get("success_field"), f"{key}.success_field"),
-        text_field=reader.text(entries.get("text_field"), f"{key}.text_field"),
+        result_names=_result_names(reader, entries, key),
         statement=read_statement(reader, node, key, entries, STATEMENT_KEYS),
         line=node.start_mark.line + 1,
         **{
@@ -165,8 +164,21 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
     )
 
 
+def _result_names(reader: Reader, entries: Mapping[str, yaml.Node], key: str) -> ResultNames:
+    """Read the names of fields; a key that is missing leaves its field to convention."""
+    names: Dict[str, Any] = {}
+    for name in (name for name in RESULT_KEYS if name in entries):
+        node = entries[name]
+        if name == "error_field" and isinstance(node, yaml.MappingNode):
+            parts = reader.mapping(node, f"{key}.{name}", ERROR_KEYS, required=("name",))
+            names[name] = {part: reader.text(item, f"{key}.{name}.{part}") for part, item in parts.items()}
+        else:
+            names[name] = reader.text(node, f"{key}.{name}")
+    return ResultNames(**names)
+
+
 def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:
-    if node is None:
+    if node is None or is_empty(node):
         return {}
     if not isinstance(node, yaml.MappingNode):
         reader.report("WRONG_TYPE", node, key, describe(node), "a mapping of fields to elements")

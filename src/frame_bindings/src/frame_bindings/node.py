@@ -13,10 +13,12 @@ from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
 from rfnserver.registration import FrameFit
+from rfnserver.results import ResultError
 from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from semantic_frames.problem import FileRefused
+from semantic_frames.server_statement import stated_profile
 from semantic_frames.source_files import read_text
 
 
@@ -45,12 +47,14 @@ class BoundServer:
         """
         Raises:
             UnknownType: a type that the binding names does not exist
+            ResultError: the result lacks fields that the binding names
         """
         self._binding = binding
         self._target = TARGET_OF_KIND[binding.kind](binding)
         self._maker = GoalMaker(
             self._target.message_type, mapping=binding.fields, ignored_elements=binding.ignored_elements
         )
+        self._profile = stated_profile(binding.statement)
         self._server = RFNServer(binding.name, callback=self._on_frame, check=self._check, **binding.statement)
         self._server.start()
 
@@ -70,7 +74,7 @@ class BoundServer:
         return f"{self._binding.kind.value} {self._binding.target} is of type {live}, not {self._binding.type_name}"
 
     def _check(self, frame_name: str) -> FrameFit:
-        fit = check_frame(frame_name, self._maker)
+        fit = check_frame(frame_name, self._maker, self._profile)
         return replace(fit, fault=fit.fault or self._type_fault())
 
     def _on_frame(self, frame: FilledSemanticFrame) -> None:
@@ -79,7 +83,7 @@ class BoundServer:
             self._server.set_aborted(None, fault)
             return
         try:
-            message = self._maker.make(frame)
+            message = self._maker.make(frame, self._profile)
         except ArgumentError as error:
             self._server.set_aborted(None, str(error))
             return
@@ -105,7 +109,7 @@ def bound_servers(paths: Sequence[str]) -> List[Bound]:
         for binding in bound.bindings:
             try:
                 servers.append(BoundServer(binding))
-            except UnknownType as error:
+            except (UnknownType, ResultError) as error:
                 rospy.logerr("%s:%d: %s: %s", path, binding.line, binding.name, error)
         for condition in bound.conditions:
             try:
@@ -125,7 +129,7 @@ def _start() -> List[Bound]:
     servers = bound_servers(settings.files)
     if not servers:
         raise StartError(f"no frame is bound; ~files: {', '.join(settings.files) or 'empty'}")
-    rospy.loginfo("%d frames are bound", len(servers))
+    rospy.loginfo("%d %s bound", len(servers), "frame is" if len(servers) == 1 else "frames are")
     for server in servers:
         server.register()
     return servers

@@ -12,8 +12,9 @@ import rosservice
 from actionlib_msgs.msg import GoalStatus
 
 from frame_bindings.binding_file import Binding, Kind
-from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder
-from rfnserver.ros_goal_messages import goal_type_of
+from rfnserver.results import plan_result
+from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder, read_end
+from rfnserver.ros_goal_messages import fields_of, goal_type_of
 from roboframenet_ros.ros_service import ServiceError, call_service
 
 IsToEnd = Callable[[], bool]
@@ -30,6 +31,7 @@ class ActionTarget:
         """
         Raises:
             UnknownType: the type of the action is not built here
+            ResultError: its result lacks fields that the binding names
         """
         self._binding = binding
         action_type = _message_class(binding.type_name)
@@ -40,6 +42,7 @@ class ActionTarget:
             ForwardingDeadlines(
                 server_s=binding.server_timeout_s, goal_s=binding.goal_timeout_s, preempt_s=binding.preempt_timeout_s
             ),
+            result_names=binding.result_names,
         )
 
     def live_type(self) -> Optional[str]:
@@ -59,17 +62,15 @@ class ServiceTarget:
     def __init__(self, binding: Binding) -> None:
         """
         Raises:
-            UnknownType: the type of the service is not built here, or its response lacks fields that the binding names
+            UnknownType: the type of the service is not built here
+            ResultError: its response lacks fields that the binding names
         """
         self._binding = binding
         self._type = roslib.message.get_service_class(binding.type_name)
         if self._type is None:
             raise UnknownType(f"there is no service type {binding.type_name}")
         self.message_type = self._type._request_class
-        known = self._type._response_class.__slots__
-        for name in filter(None, (binding.success_field, binding.text_field)):
-            if name not in known:
-                raise UnknownType(f"the response of {binding.type_name} has no field '{name}', only {', '.join(known)}")
+        self._results = plan_result(fields_of(self._type._response_class), binding.result_names)
 
     def live_type(self) -> Optional[str]:
         """Return the present type of the service; None while it is missing."""
@@ -107,11 +108,8 @@ class ServiceTarget:
                     return ForwardedEnd(GoalStatus.PREEMPTED, f"the service {self._binding.target} may still be at it")
         if isinstance(response, ServiceError):
             return ForwardedEnd(GoalStatus.ABORTED, str(response))
-        text = str(getattr(response, self._binding.text_field)) if self._binding.text_field else ""
-        is_done = bool(getattr(response, self._binding.success_field)) if self._binding.success_field else True
-        if is_done:
-            return ForwardedEnd(GoalStatus.SUCCEEDED, text)
-        return ForwardedEnd(GoalStatus.ABORTED, text or f"the service {self._binding.target} reports a failure")
+        target = f"the service {self._binding.target}"
+        return read_end(GoalStatus.SUCCEEDED, "", response, self._results, target)
 
 
 class TopicTarget:

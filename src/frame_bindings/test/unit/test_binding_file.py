@@ -5,6 +5,7 @@ from typing import Tuple
 import pytest
 
 from frame_bindings.binding_file import Kind, load_bindings
+from rfnserver.results import ResultNames
 from semantic_frames.problem import FileRefused
 from semantic_frames.server_profile import HeededElement
 from semantic_frames.server_statement import stated_profile
@@ -42,8 +43,16 @@ def test_bindings_of_each_kind() -> None:
     assert (action.kind, action.name, action.target, action.line) == (Kind.ACTION, "navigation", "move_base", 2)
     assert action.fields == {"target_pose": "goal", "speed": {"element": "speed", "unit": "metre"}}
     assert (action.goal_timeout_s, action.server_timeout_s) == (60.0, 5.0)
-    assert (service.kind, service.name, service.success_field) == (Kind.SERVICE, "lighting", "success")
+    assert (service.kind, service.name) == (Kind.SERVICE, "lighting")
+    assert service.result_names == ResultNames("success", "message")
+    assert action.result_names == ResultNames()
     assert (topic.kind, topic.target, topic.ignored_elements) == (Kind.TOPIC, "speech", ("manner",))
+
+
+def test_fields_of_a_result() -> None:
+    named = 'success_field: ""\n    error_field: {name: error_code, ok: 0}'
+    (action, *_) = load_bindings(GOOD.replace("goal_timeout_s: 60", named), "bindings.yaml").bindings
+    assert action.result_names == ResultNames(success_field="", error_field={"name": "error_code", "ok": "0"})
 
 
 def test_statement_of_the_server() -> None:
@@ -71,7 +80,9 @@ def test_table_of_words() -> None:
         ("goal_timeout_s: 60", "goal_timeout_s: soon", ("NOT_A_NUMBER", 9)),
         ("goal_timeout_s: 60", "goal_timeout_s: -1", ("NOT_A_NUMBER", 9)),
         ("goal_timeout_s: 60", "goal_timeout_s: .inf", ("NOT_A_NUMBER", 9)),
-        ("goal_timeout_s: 60", "success_field: x", ("UNKNOWN_KEY", 9)),
+        ("ignored_elements: [manner]", "success_field: x", ("UNKNOWN_KEY", 19)),
+        ("text_field: message", "error_field: {name: code, okay: 0}", ("UNKNOWN_KEY", 15)),
+        ("text_field: message", "error_field: {ok: 0}", ("MISSING_KEY", 15)),
         ("unit: metre", "units: metre", ("UNKNOWN_KEY", 8)),
         ("name: navigation", "name: speaking", ("DUPLICATE_NAME", 16)),
         ("topic: speech", "topik: speech", ("UNKNOWN_KEY", 17)),

@@ -20,6 +20,7 @@ from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import Parameters, Pipeline
 from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import FileRefused
@@ -61,6 +62,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="now",
         help="2012: single words, every other word ignored; the table always shows its figures",
     )
+    parser.add_argument(
+        "--without", action="append", default=[], metavar="RULE", help="switch a rule off ('rfn passes' lists them)"
+    )
     parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
     parser.add_argument(
         "--maps", action="store_true", help="of huric: score with the map of each command too, and list what changes"
@@ -78,13 +82,16 @@ def run(arguments: argparse.Namespace) -> int:
             f"rfn score: {arguments.corpus} has no annotated frames to learn from or to compare with", file=sys.stderr
         )
         return 2
+    if unknown := unknown_rules(arguments.without):
+        print(f"rfn score: no rule is named {', '.join(unknown)}", file=sys.stderr)
+        return 2
     if arguments.maps and arguments.corpus != "huric":
         print(f"rfn score: {arguments.corpus} has no maps", file=sys.stderr)
         return 2
     try:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
-        pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY))
+        pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY), without=frozenset(arguments.without))
         if corpus is None:
             return run_gpsr(arguments, pipeline)
         commands = corpus.read(arguments.folder)

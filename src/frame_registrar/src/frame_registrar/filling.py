@@ -1,5 +1,6 @@
 """Fills frames with the arguments of a lexical unit or of a parent frame."""
 
+import math
 import operator
 from dataclasses import replace
 from typing import Dict, Iterable, Mapping, Optional, Tuple
@@ -157,13 +158,33 @@ def _measured(
         argument = replace(argument, measure=Measure(quantity.value, said, amount, name, si))
     for limit, is_beyond, word in ((element.maximum, operator.gt, "more"), (element.minimum, operator.lt, "less")):
         if limit is not None and si is not None and is_beyond(si, limit):
-            sentence = f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[quantity]}."
-            raise Unfillable("LIMIT", sentence.replace(" .", "."))
+            sentence = f"{said} is {word} than I may do: the limit is {spoken_limit(limit, quantity)}."
+            raise Unfillable("LIMIT", sentence)
     return argument
 
 
-#: Units for limits in sentences.
-SI_UNITS = {Quantity.NUMBER: "", Quantity.LENGTH: "metres", Quantity.ANGLE: "radians", Quantity.DURATION: "seconds"}
+#: Units for limits in sentences, the largest first: a limit has the first of which it is a whole number.
+_UNITS = {
+    Quantity.LENGTH: ((1.0, "metre"),),
+    Quantity.ANGLE: ((math.radians(1.0), "degree"),),
+    Quantity.DURATION: ((3600.0, "hour"), (60.0, "minute"), (1.0, "second")),
+}
+
+
+def spoken_limit(si: float, quantity: Quantity) -> str:
+    """Return a limit for a person: "5 minutes"; a number has no unit.
+
+    Args:
+        si: the limit in metres, radians or seconds
+        quantity: what it limits
+    """
+    units = _UNITS.get(quantity)
+    if units is None:
+        return f"{si:g}"
+    # Angles are written in degrees and kept in radians.
+    amounts = [(round(si / factor, 6), unit) for factor, unit in units]
+    amount, unit = next((one for one in amounts if one[0] >= 1.0 and one[0] == int(one[0])), amounts[-1])
+    return f"{amount:g} {unit}" if amount == 1.0 else f"{amount:g} {unit}s"
 
 
 def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mapping[str, TypedArgument]]:

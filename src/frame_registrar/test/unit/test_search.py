@@ -1,15 +1,18 @@
 """The search for candidates."""
 
 import itertools
+import math
 import random
 from typing import Dict, List, Sequence, Tuple, Union
 
 import pytest
 
 from frame_registrar import sequence_finder
+from frame_registrar.filling import spoken_limit
 from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
+from semantic_frames.frame import Quantity
 from typed_arguments import Source, TypedArgument
 
 MOVING = """
@@ -440,3 +443,19 @@ def test_a_refused_value_gives_way_only_to_a_reading_of_the_same_words(
     found = search(graph, [[Reading("going", (goal,)), Reading("looking", (place,), preference=1)]], max_candidates=9)
     assert isinstance(found, Refusal) is not is_done
     assert is_done or (isinstance(found, Refusal) and found.code == "VALUE_NOT_ALLOWED")
+
+
+@pytest.mark.parametrize(
+    "si, quantity, words",
+    [
+        (300.0, Quantity.DURATION, "5 minutes"),
+        (90.0, Quantity.DURATION, "90 seconds"),
+        (3600.0, Quantity.DURATION, "1 hour"),
+        (0.5, Quantity.DURATION, "0.5 seconds"),
+        (20.0, Quantity.LENGTH, "20 metres"),
+        (math.pi, Quantity.ANGLE, "180 degrees"),
+        (12.0, Quantity.NUMBER, "12"),
+    ],
+)
+def test_limit_is_told_in_a_unit_that_people_use(si: float, quantity: Quantity, words: str) -> None:
+    assert spoken_limit(si, quantity) == words

@@ -69,7 +69,11 @@ def count(skills: Skills, frame: FilledFrame) -> None:
     words, place = argument(frame, "entity"), argument(frame, "ground")
     state = frame.text("state").lower()
     found = [one for one in counted(skills, words, place) if not state or state in one.states]
-    skills.answer(f"I see {len(found)} {words.text if said(frame, 'entity') else 'things'}.".replace(" the ", " "))
+    what = words.text if said(frame, "entity") else "things"
+    if len(found) == 1:
+        one = words.text.replace(words.head, words.lemma) if words.is_plural and words.lemma else words.text
+        what = one if said(frame, "entity") else "thing"
+    skills.answer(f"I see {len(found)} {what}.".replace(" the ", " "))
 
 
 def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[Known]:

@@ -106,7 +106,7 @@ class HomeServers:
             except CannotDo as reason:
                 server.set_aborted(FilledSemanticFrameResult(success=False), str(reason))
             except Interrupted:
-                server.set_preempted(FilledSemanticFrameResult(success=False), "I was interrupted.")
+                server.set_preempted(FilledSemanticFrameResult(success=False))
 
         server = RFNServer(name, callback)
         for frame in skills:

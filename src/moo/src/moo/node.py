@@ -66,7 +66,7 @@ class MooServer:
             is_wanted=lambda: not (self._server.is_preempt_requested() or rospy.is_shutdown()),
         )
         if self._server.is_preempt_requested():
-            self._server.set_preempted(None, "I was interrupted.")
+            self._server.set_preempted(None)
 
 
 def main() -> None:

@@ -146,6 +146,15 @@ def describe_amount(goal: MotionGoal) -> str:
     return f"{goal.amount:.4g} rad ({math.degrees(goal.amount):.4g} degrees)"
 
 
+def describe_progress(kind: MotionKind, progress: float) -> str:
+    """Return how far a base has come, in a sentence for a person: "I moved 0.58 m."."""
+    if kind is MotionKind.STRAIGHT:
+        return f"I moved {'back ' if progress <= -0.005 else ''}{abs(round(progress, 2)):g} m."
+    degrees = round(math.degrees(progress))
+    side = " to the left" if degrees > 0 else " to the right" if degrees < 0 else ""
+    return f"I turned {abs(degrees)} degrees{side}."
+
+
 def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:
     """Return why a goal must not be driven; None if it may."""
     if not math.isfinite(goal.amount):
@@ -242,6 +251,12 @@ class Motion:
         return (self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad) + (
             self._last.y_m - self._start.y_m
         ) * math.sin(self._start.yaw_rad)
+
+    def is_stuck(self, *, now_s: float) -> bool:
+        """Whether the base should move, and odometry, which arrives, says that it has stood for a moment."""
+        is_seen = now_s - self._sample_s <= self._settings.odometry_timeout_s / 3.0
+        stood_s = now_s - self._stall_begin_s
+        return self._state is MotionState.MOVING and is_seen and stood_s > self._settings.stall_timeout_s / 6.0
 
     def observe(self, sample: OdometrySample, *, now_s: float) -> None:
         """Take an odometry sample. A sample that is not finite is ignored."""

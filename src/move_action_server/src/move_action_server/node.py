@@ -22,6 +22,7 @@ from move_action_server.motion import (
     MotionState,
     check_goal,
     describe_amount,
+    describe_progress,
 )
 from move_action_server.ros_odometry import LatestOdometry
 from move_action_server.spoken_motion import (
@@ -288,10 +289,10 @@ class MoveActionServer:
         )
         motion = Motion(goal, settings=motion_settings, start=start, now_s=clock.now_s())
         rospy.loginfo("%s: %s", goal.kind.value, describe_amount(goal))
-        feedback_s = -math.inf
+        feedback_s, was_stuck = -math.inf, False
         while not rospy.is_shutdown():
             if server.is_preempt_requested():
-                return Ending(Outcome.PREEMPTED, "cancelled")
+                return Ending(Outcome.PREEMPTED, _how_far(motion, goal, is_stuck=was_stuck))
             if claim.is_revoked:
                 return Ending(Outcome.PREEMPTED, "another motion takes the base")
             # In a simulation that is paused there is no odometry: the motion goes on when the simulation does.
@@ -302,13 +303,20 @@ class MoveActionServer:
                 return Ending(Outcome.SUCCEEDED, f"{describe_amount(done)} by odometry")
             if step.state is MotionState.FAILED:
                 return Ending(Outcome.ABORTED, step.reason)
-            if time.monotonic() - feedback_s >= self._settings.feedback_period_s:
-                feedback_s = time.monotonic()
-                server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
+            is_stuck = motion.is_stuck(now_s=clock.now_s())
+            if is_stuck != was_stuck or time.monotonic() - feedback_s >= self._settings.feedback_period_s:
+                feedback_s, was_stuck = time.monotonic(), is_stuck
+                server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=not is_stuck))
             sample, count = self._odometry.wait_newer(than=count, timeout_s=self.WAIT_S)
             if sample is not None:
                 motion.observe(sample, now_s=clock.now_s())
         return Ending(Outcome.ABORTED, "the node is shut down")
+
+
+def _how_far(motion: Motion, goal: MotionGoal, *, is_stuck: bool) -> str:
+    """Return what a person is told of a motion that was ended: it may have been given a time, and no amount."""
+    far = describe_progress(goal.kind, motion.progress)
+    return f"{far} Something held the base." if is_stuck else far
 
 
 def start(place: Place) -> MoveActionServer:

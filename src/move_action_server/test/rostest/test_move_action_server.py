@@ -171,6 +171,7 @@ class TestMoveActionServer(unittest.TestCase):
         goal.handle.cancel()
         state, text = goal.outcome()
         self.assertEqual(GoalStatus.PREEMPTED, state, text)
+        self.assertRegex(text, r"^I moved [\d.]+ m\.$")
         self.assert_stands()
 
     def test_newer_goal_of_another_server_preempts_the_older(self):

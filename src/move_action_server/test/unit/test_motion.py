@@ -16,6 +16,7 @@ from move_action_server.motion import (
     OdometrySample,
     Pace,
     check_goal,
+    describe_progress,
 )
 from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
@@ -251,6 +252,37 @@ def test_goals_at_the_limits_pass(kind, amount):
 def test_settings_that_make_no_sense_are_refused(make):
     with pytest.raises(ValueError):
         make()
+
+
+@pytest.mark.parametrize(
+    "kind, progress, sentence",
+    [
+        (MotionKind.STRAIGHT, 0.581, "I moved 0.58 m."),
+        (MotionKind.STRAIGHT, 0.0001, "I moved 0 m."),
+        (MotionKind.STRAIGHT, -0.0001, "I moved 0 m."),
+        (MotionKind.STRAIGHT, -1.0, "I moved back 1 m."),
+        (MotionKind.TURN, math.pi / 3.0, "I turned 60 degrees to the left."),
+        (MotionKind.TURN, -math.pi, "I turned 180 degrees to the right."),
+        (MotionKind.TURN, 0.001, "I turned 0 degrees."),
+    ],
+)
+def test_progress_is_told_to_a_person(kind, progress, sentence):
+    assert describe_progress(kind, progress) == sentence
+
+
+@pytest.mark.parametrize("kind", MotionKind)
+def test_base_that_is_held_is_stuck_and_one_that_moves_is_not(kind):
+    rig = Rig(kind, 3.0)
+    for _ in range(100):
+        assert rig.tick() is MotionState.MOVING
+        assert not rig.motion.is_stuck(now_s=rig.now_s)
+    held = Rig(kind, 3.0)
+    held.base.step = lambda _passed_s: None
+    for _ in range(100):
+        held.tick()
+    assert held.motion.is_stuck(now_s=held.now_s)
+    # Without odometry nobody knows.
+    assert not held.motion.is_stuck(now_s=held.now_s + SETTINGS.odometry_timeout_s)
 
 
 def test_motion_goes_on_after_a_pause_of_the_simulation():

@@ -96,11 +96,11 @@ class PropsServer:
                 server.set_aborted(None, str(error))
                 return
             if not self._take_arms(is_wanted):
-                server.set_preempted(None, "I was interrupted before I began.")
+                server.set_preempted(None, "I had not begun.")
                 return
             try:
                 if not self._arms.perform(frame_name, arms, is_wanted=is_wanted):
-                    server.set_preempted(None, "I was interrupted; the arms are back.")
+                    server.set_preempted(None, "The arms are back.")
             except ArmError as error:
                 server.set_aborted(None, f"My arms failed: {error}.")
             finally:

@@ -72,7 +72,7 @@ def duration_s(frame: Any, name: str, *, unit_element: str = "", default_unit: s
 
 
 def _si_amount(frame: Any, name: str, quantity: str, unit_element: str, default_unit: str) -> float:
-    typed = next((one for one in getattr(frame, "arguments", ()) if one.name == name), None)
+    typed = frame[name] if hasattr(frame, "__getitem__") else None
     if typed is not None and typed.si is not None and typed.measure.kind == quantity:
         return float(typed.si)
     said = f"{required(frame, name)} {argument(frame, unit_element)}".strip()

@@ -10,8 +10,8 @@ A goal's fields are filled from the frame elements of the same name, or as a map
     planner: {value: navfn}                             # always these words
     shape: {element: shape, values: {square: 1, triangle: 2}}   # a table of words; others are refused
 
-An extra-thematic element, which every frame inherits, may be mapped too: a server that maps "manner" heeds it, as far
-as its table goes.
+An extra-thematic element, which every frame inherits, may be mapped too. A table says what the server takes: the
+registrar hears of it (:mod:`rfnserver.heeding`).
 
 A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
@@ -19,12 +19,12 @@ A mapping that does not fit is refused when the server registers, with the field
 import dataclasses
 import difflib
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Container, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
 from semantic_frames.extra_thematic import extra_thematic_of_arguments
-from semantic_frames.server_profile import HeededElement, spellings
+from semantic_frames.server_profile import spellings
 from spoken_quantities import QuantityError, find_unit, parse_measure
 from typed_arguments import TypedArgument
 from typed_arguments.parts import PARTS
@@ -161,8 +161,8 @@ def plan_goal(
     for element in known.values():
         if element.is_core and element.name not in used | ignored and not _mentions(problems, element.name):
             problems.append(
-                f"the core element '{element.name}' fills no field: map one of {_fillable(fields)} to it, ignore it, "
-                "or make the goal in a frame_callback"
+                f"the core element '{element.name}' fills no field: map one of {_fillable(fields)} to it, list in "
+                "'heeds' what it may be, ignore it, or make the goal in a frame_callback"
             )
     if problems:
         raise BindingError(problems)
@@ -174,40 +174,6 @@ def plan_goal(
     )
     unheeded = tuple(name for name in known if name not in used | ignored)
     return GoalPlan(sources=tuple(sources), unfilled=unfilled, unheeded=unheeded)
-
-
-def heeded_by(plan: GoalPlan, own: Container[str]) -> Tuple[HeededElement, ...]:
-    """Return the extra-thematic elements that fill fields, with the words of their table, or of the constants.
-
-    Args:
-        plan: see :func:`plan_goal`
-        own: names of the elements of the frame
-    """
-    names = extra_thematic_of_arguments()
-    return tuple(
-        HeededElement(names[source.element], values=() if source.part else tuple(source.values or source.field.choices))
-        for source in plan.sources
-        if source.element in names and source.element not in own
-    )
-
-
-def refuse_unheeded(plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, defaults: Mapping[str, str]) -> None:
-    """Check that every word that was said reaches the goal.
-
-    Args:
-        plan: see :func:`plan_goal`
-        arguments: of the filled frame, by name of the element
-        defaults: of the frame, by name of the element: nobody has said those
-    Raises:
-        ArgumentError: words would be dropped; the message is for the person who said them
-    """
-    heeded = [arguments[source.element] for source in plan.sources if source.element in arguments]
-    # A measure knows its unit, which may also be an element of its own, in the words of the person: "degrees".
-    units = {find_unit(argument.measure.unit) for argument in heeded if argument.measure is not None} - {None}
-    for name in plan.unheeded:
-        words = arguments[name].text if name in arguments else ""
-        if words and words != defaults.get(name, "") and find_unit(words) not in units:
-            raise ArgumentError(f'I cannot heed the {name.replace("_", " ")} "{words}" when I do that.')
 
 
 def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, ...]:

@@ -1,12 +1,13 @@
 """``RFNServer``: an action server that registers for semantic frames."""
 
-from typing import Any, Callable, Iterable, Mapping, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional, Union
 
 from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameGoal, FilledSemanticFrameResult
 
 from rfnserver.goal_binding import Declaration
 from rfnserver.registration import RequestKind
-from rfnserver.ros_frame_adapter import FrameAdapter, FrameToGoal
+from rfnserver.results import ResultNames
+from rfnserver.ros_frame_adapter import FrameAdapter, FrameToGoal, name_and_text
 from rfnserver.ros_goal_messages import is_action_type
 from rfnserver.ros_registration import FrameCheck, Registration
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
@@ -43,21 +44,26 @@ class _Registering:
             frame_name: of a frame, also one whose file is added later
             goal_mapping: for a server with an action type: which element of this frame fills which field; None for
                 the mapping (or the function) that the server was made with
-            ignored_elements: core elements of this frame that need not fill a field; only with ``goal_mapping``
+            ignored_elements: for a server with an action type: elements of this frame that need not fill a field, or
+                that the function need not read
             **statement: what the server states for this frame, instead of what it was made with
         Returns:
             True when the registrar accepted; False when it refused or is not running, or when no goal can be made of
             that frame: this is logged, and tried again later
         Raises:
-            TypeError: a mapping for a server without an action type
+            TypeError: a mapping, or elements to ignore, for a server without an action type
             ProfileError: the statement is wrong
         """
         if statement:
             self._registration.state(frame_name, stated_profile(statement))
-        if goal_mapping is not None:
+        ignored = tuple(ignored_elements)
+        if goal_mapping is not None or ignored:
             if self._adapter is None:
-                raise TypeError(f"frame {frame_name}: goal_mapping needs a server with the class of an action")
-            self._adapter.map_frame(frame_name, goal_mapping, ignored_elements)
+                raise TypeError(
+                    f"frame {frame_name}: goal_mapping and ignored_elements need a server with the class of an action; "
+                    "a server of frames names what it ignores in 'unheeded'"
+                )
+            self._adapter.map_frame(frame_name, goal_mapping, ignored)
         return self._request(RequestKind.REGISTRATION, frame_name)
 
     def add_semantic_frame(self, path: str) -> bool:
@@ -116,6 +122,9 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         frame_callback: Optional[FrameToGoal] = None,
         goal_mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        success_field: Optional[str] = None,
+        text_field: Optional[str] = None,
+        error_field: Optional[Union[str, Mapping[str, Any]]] = None,
         **statement: Any,
     ) -> None:
         """
@@ -127,15 +136,22 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             callback: the form of 2012 by keyword
             check: for frames alone: returns how a frame fits the server
             frame_callback: with an action type: gets the filled frame and returns a goal, or None when it has carried
-                the frame out itself
+                the frame out itself. The frame is refused when something was said that it did not read
             goal_mapping: with an action type: which element fills which field, where their names differ
-            ignored_elements: with an action type: elements that need not fill a field
+            ignored_elements: with an action type: elements that need not fill a field, or that ``frame_callback``
+                need not read
+            success_field: with an action type: the bool of the result that says whether a frame was done; None: by
+                convention, see :mod:`rfnserver.results`
+            text_field: the string of the result that says why not, or answers the person
+            error_field: the error code of the result, ``{"name": "error_code", "ok": 0}``
             **statement: what the server states about itself: ``heeds={"Manner": ["slow", "quick"]}``,
                 ``occupies=["base"]``, ``purpose="watches"``; see :mod:`semantic_frames.server_statement`
         Raises:
             TypeError: neither an action type nor a callback
             ProfileError: the statement is wrong
+            ResultError: the result has no such fields
         """
+        results = ResultNames(success_field, text_field, error_field)
         profile = stated_profile(statement)
         if is_action_type(ActionSpec):
             self._adapter = FrameAdapter(
@@ -145,6 +161,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
                 mapping=goal_mapping,
                 ignored_elements=ignored_elements,
                 profile=profile,
+                result_names=results,
             )
             self._registration = self._adapter.registration
             super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=auto_start)
@@ -155,9 +172,11 @@ class RFNServer(_Registering, QuietSimpleActionServer):
                 f"RFNServer {name}: expected the class of an action or a callback for filled frames, found "
                 f"{self._frame_callback!r}"
             )
-        if execute_cb is not None or frame_callback is not None or goal_mapping is not None:
+        of_actions = (execute_cb, frame_callback, goal_mapping, tuple(ignored_elements) or None)
+        if any(one is not None for one in of_actions) or results != ResultNames():
             raise TypeError(
-                f"RFNServer {name}: execute_cb, frame_callback and goal_mapping need the class of an action"
+                f"RFNServer {name}: execute_cb, frame_callback, goal_mapping, ignored_elements and the fields of a "
+                "result need the class of an action"
             )
         self._registration = Registration(name, check=check, profile=profile)
         super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
@@ -169,12 +188,16 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         if self._adapter is not None:
             self._adapter.start()
 
+    def text_of_exception(self, error: Exception) -> str:
+        """Return what clients are told: a person reads what frames end with, and old clients what they know."""
+        return super().text_of_exception(error) if self._adapter is not None else name_and_text(error)
+
     def _execute_frame(self, _goal: FilledSemanticFrameGoal) -> None:
         self._frame_callback(typed_frame(self.current_goal.goal))
         if not self.is_active():
             return
         if self.is_preempt_requested():
-            self.set_preempted(FilledSemanticFrameResult(success=False), "preempted")
+            self.set_preempted(FilledSemanticFrameResult(success=False))
         else:
             self.set_succeeded(FilledSemanticFrameResult(success=True))
 
@@ -193,6 +216,9 @@ class RFNActionServer(_Registering, QuietActionServer):
         frame_callback: Optional[FrameToGoal] = None,
         goal_mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        success_field: Optional[str] = None,
+        text_field: Optional[str] = None,
+        error_field: Optional[Union[str, Mapping[str, Any]]] = None,
         **statement: Any,
     ) -> None:
         """
@@ -205,6 +231,9 @@ class RFNActionServer(_Registering, QuietActionServer):
             frame_callback: see :class:`RFNServer`
             goal_mapping: see :class:`RFNServer`
             ignored_elements: see :class:`RFNServer`
+            success_field: see :class:`RFNServer`
+            text_field: see :class:`RFNServer`
+            error_field: see :class:`RFNServer`
             **statement: see :class:`RFNServer`
         """
         self._adapter = FrameAdapter(
@@ -214,6 +243,7 @@ class RFNActionServer(_Registering, QuietActionServer):
             mapping=goal_mapping,
             ignored_elements=ignored_elements,
             profile=stated_profile(statement),
+            result_names=ResultNames(success_field, text_field, error_field),
         )
         self._registration = self._adapter.registration
         optional = {} if cancel_cb is None else {"cancel_cb": cancel_cb}

@@ -3,13 +3,15 @@
 import queue
 import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable
 
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
+from rfnserver.results import BY_CONVENTION, ResultNames, ResultPlan, plan_result
+from rfnserver.ros_goal_messages import fields_of, result_type_of
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 
 #: How often a running goal checks whether it must end, seconds.
@@ -38,28 +40,38 @@ class ForwardedEnd:
     """How a forwarded goal ended.
 
     Attributes:
-        status: one of actionlib_msgs/GoalStatus; PREEMPTED when this or another client requested it
-        text: the reason; may be empty
-        result: of the server, None when it sent none
+        status: one of actionlib_msgs/GoalStatus; PREEMPTED when this or another client requested it, ABORTED also when
+            the server said that it succeeded and its result says that it did not
+        text: the reason, or what the server tells; may be empty
     """
 
     status: int
     text: str
-    result: Any = None
 
 
 class GoalForwarder:
     """A client of one action server, for one goal at a time."""
 
-    def __init__(self, server: str, action_type: Any, deadlines: ForwardingDeadlines = ForwardingDeadlines()) -> None:
+    def __init__(
+        self,
+        server: str,
+        action_type: Any,
+        deadlines: ForwardingDeadlines = ForwardingDeadlines(),
+        *,
+        result_names: ResultNames = BY_CONVENTION,
+    ) -> None:
         """
         Args:
             server: name of the action server
             action_type: class of its action
             deadlines: of every goal
+            result_names: fields of the result that say whether it worked
+        Raises:
+            ResultError: the result has no such fields
         """
         self._server = server
         self._deadlines = deadlines
+        self._results = plan_result(fields_of(result_type_of(action_type)), result_names)
         self._connection = ActionConnection(server, action_type)
 
     def carry_out(
@@ -147,15 +159,10 @@ class GoalForwarder:
 
     def _end_of(self, handle: actionlib.ClientGoalHandle) -> ForwardedEnd:
         status = handle.get_terminal_state()
-        text = handle.get_goal_status_text()
-        if status == GoalStatus.SUCCEEDED:
-            return ForwardedEnd(status, text, handle.get_result())
+        end = read_end(status, handle.get_goal_status_text(), handle.get_result(), self._results, self._server)
         if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
-            return ForwardedEnd(
-                GoalStatus.PREEMPTED, text or f"another client stopped {self._server}", handle.get_result()
-            )
-        named = actionlib.TerminalState.to_string(status).lower()
-        return ForwardedEnd(status, text or f"{self._server} ended the goal as {named}", handle.get_result())
+            return replace(end, text=end.text or f"another client stopped {self._server}")
+        return end
 
     def _cancel(
         self,
@@ -170,5 +177,39 @@ class GoalForwarder:
         except queue.Empty:
             rospy.logerr("%s did not stop within %g s", self._server, self._deadlines.preempt_s)
             return end
-        concluded = self._end_of(sent.handle)
-        return concluded if concluded.status == GoalStatus.SUCCEEDED else end
+        handle = sent.handle
+        told = read_end(
+            handle.get_terminal_state(),
+            handle.get_goal_status_text(),
+            handle.get_result(),
+            self._results,
+            self._server,
+        )
+        if told.status == GoalStatus.SUCCEEDED:
+            return told
+        # A server that was cancelled may say how far it came.
+        far = told.text if told.status == GoalStatus.PREEMPTED else ""
+        return replace(end, text=f"{end.text} {far}".strip())
+
+
+def read_end(status: int, text: str, result: Any, results: ResultPlan, server: str) -> ForwardedEnd:
+    """Return how a goal ended, by its status and its result.
+
+    Args:
+        status: terminal status
+        text: of the status; empty for none
+        result: None for none
+        results: which fields of the result are read
+        server: name of the server
+    """
+    verdict = results.read(result)
+    if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
+        return ForwardedEnd(GoalStatus.PREEMPTED, verdict.text or text)
+    if status == GoalStatus.SUCCEEDED and verdict.is_done:
+        return ForwardedEnd(status, verdict.text or text)
+    named = actionlib.TerminalState.to_string(status).lower()
+    otherwise = (
+        f"{server} ended the goal as {named}" if status != GoalStatus.SUCCEEDED else f"{server} reports a failure"
+    )
+    reason = verdict.text or text or verdict.reason or otherwise
+    return ForwardedEnd(GoalStatus.ABORTED if status == GoalStatus.SUCCEEDED else status, reason)

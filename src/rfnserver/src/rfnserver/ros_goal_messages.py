@@ -20,6 +20,11 @@ def goal_type_of(action_type: Any) -> Any:
     return type(action_type().action_goal.goal)
 
 
+def result_type_of(action_type: Any) -> Any:
+    """Return the class of the results of an action type."""
+    return type(action_type().action_result.result)
+
+
 def fields_of(message_type: Any) -> Tuple[GoalField, ...]:
     """Return every field of a message type, including those of nested messages."""
     return tuple(_fields(message_type, "", ()))

@@ -105,6 +105,10 @@ class Registration:
         """Register for one frame with another profile."""
         self._profiles[frame_name] = self._of_robot(profile)
 
+    def stated(self, frame_name: str) -> ServerProfile:
+        """Return what the server states for a frame."""
+        return self._profiles.get(frame_name, self._profile)
+
     def _of_robot(self, profile: ServerProfile) -> ServerProfile:
         """Return a profile with the robot of this namespace, unless it names one."""
         return replace(profile, robot=profile.robot or self._robot)
@@ -321,7 +325,7 @@ class Registration:
         return response.success, response.error
 
     def _profile_for(self, frame_name: str, fit: FrameFit) -> ServerProfile:
-        return fit.added_to(self._profiles.get(frame_name, self._profile))
+        return fit.added_to(self.stated(frame_name))
 
     def _check_late(self, frame_name: str) -> None:
         """Check a frame whose file was added after the registration, and register again if it says more now."""

@@ -6,11 +6,8 @@ from typing import Any, Dict
 import pytest
 
 from rfnserver.arguments import ArgumentError
-from rfnserver.goal_binding import BindingError, BoundElement, goal_values, heeded_by, plan_goal, refuse_unheeded
+from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
-from rfnserver.registration import FrameFit
-from semantic_frames.server_profile import HeededElement
-from semantic_frames.server_statement import stated_profile
 from typed_arguments import Measure, TypedArgument
 
 SPEEDS = {"SPEED_SLOW": 0, "SPEED_FAST": 2, "NAVFN": "navfn"}
@@ -187,29 +184,10 @@ def test_every_builtin_type_has_a_filling() -> None:
     assert GoalField("x", "int64", {}).integer_range == (-(2**63), 2**63 - 1)
 
 
-def test_words_that_would_reach_no_field_are_refused() -> None:
-    elements = [BoundElement("order", is_core=True), BoundElement("duration", is_core=False)]
-    plan = plan_goal(FIELDS, elements)
+def test_elements_that_fill_no_field_are_named() -> None:
+    plan = plan_goal(FIELDS, [BoundElement("order", is_core=True), BoundElement("duration", is_core=False)])
     assert plan.unheeded == ("duration",)
     assert "not heeded: duration" in str(plan)
-    said = {"order": typed("order", text="3"), "duration": typed("duration", text="ten seconds")}
-    with pytest.raises(ArgumentError, match='cannot heed the duration "ten seconds"'):
-        refuse_unheeded(plan, said, defaults={})
-    # Nobody said a default.
-    refuse_unheeded(plan, said, defaults={"duration": "ten seconds"})
-    refuse_unheeded(plan, {"order": typed("order", text="3")}, defaults={})
-
-
-@pytest.mark.parametrize("said, unit", [("feet", "foot"), ("degrees", "degree"), ("m", "metre")])
-def test_unit_of_a_measure_is_heeded(said: str, unit: str) -> None:
-    plan = plan_goal(FIELDS, [BoundElement("distance", is_core=True), BoundElement("unit", is_core=False)])
-    measured = typed("distance", text="3", measure=Measure("length", unit=unit, si=0.9))
-    spoken = typed("unit", text=said)
-    refuse_unheeded(plan, {"distance": measured, "unit": spoken}, defaults={})
-    with pytest.raises(ArgumentError, match=f'the unit "{said}"'):
-        refuse_unheeded(plan, {"distance": typed("distance", text="3"), "unit": spoken}, defaults={})
-    with pytest.raises(ArgumentError, match='the unit "inches"'):
-        refuse_unheeded(plan, {"distance": measured, "unit": typed("unit", text="inches")}, defaults={})
 
 
 def test_elements_that_are_ignored_or_units_are_heeded() -> None:
@@ -260,39 +238,11 @@ def test_parts_of_an_argument_fill_fields(mapping: Dict[str, Any], argument: Typ
     assert goal_values(plan, {"goal": argument}) == pytest.approx(expected)
 
 
-def test_extra_thematic_element_that_is_mapped_is_heeded() -> None:
-    own = ["goal", "duration"]
-    elements = [BoundElement("goal", is_core=True), BoundElement("duration", is_core=False)]
-    mapping = {
-        "planner": "goal",
-        "limits.force": {"element": "manner", "values": {"slow": 1, "quick": 2}, "default": "slow"},
-        "order": "degree",
-    }
-    plan = plan_goal(FIELDS, elements, mapping=mapping)
-    assert plan.unheeded == ("duration",)
-    assert heeded_by(plan, own) == (HeededElement("Manner", values=("slow", "quick")), HeededElement("Degree"))
-    assert heeded_by(plan, ["manner"]) == (HeededElement("Degree"),)
-    constants = plan_goal([GoalField("speed", "uint8", SPEEDS)], [], mapping={"speed": "manner"})
-    assert heeded_by(constants, []) == (HeededElement("Manner", values=("slow", "fast")),)
-    with pytest.raises(BindingError, match="no element 'maner'"):
-        plan_goal(FIELDS, elements, mapping={**mapping, "order": "maner"})
-
-
 @pytest.mark.parametrize("said, force", [("quickly", 2.0), ("slow", 1.0), ("", 1.0)])
 def test_table_takes_adverbs_of_its_adjectives(said: str, force: float) -> None:
     mapping = {"limits.force": {"element": "manner", "values": {"slow": 1, "quick": 2}, "default": "slow"}}
     plan = plan_goal(FIELDS, [], mapping=mapping)
     assert goal_values(plan, {"manner": typed("manner", text=said)}) == {"limits.force": force}
-
-
-def test_what_follows_from_a_frame_is_added_to_what_the_server_states() -> None:
-    stated = stated_profile({"heeds": {"Manner": ["slow"]}, "unheeded": ["area"], "occupies": ["base"]})
-    manner = HeededElement("Manner", values=("quick",))
-    fit = FrameFit(is_known=True, heeds=(manner, HeededElement("Degree")), unheeded=("area", "speed"))
-    profile = fit.added_to(stated)
-    assert [heeded.name for heeded in profile.heeds] == ["Manner", "Degree"]
-    assert profile.heeds[0].values == ("slow",)
-    assert (profile.unheeded, profile.occupies) == (("area", "speed"), ("base",))
 
 
 def test_unknown_part_is_refused_with_the_likely_one() -> None:

@@ -14,6 +14,7 @@ from roboframenet_demo.ros_conversation import Conversation
 from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import Line, judge, read_line
+from roboframenet_demo.stage_order import StageOrder
 from roboframenet_demo.table import format_table
 
 OUTCOME_NAMES = {
@@ -38,6 +39,7 @@ class Demonstration:
 
     def __init__(self) -> None:
         self._print_lock = threading.Lock()
+        self._order = StageOrder(longest_s=LATE_EVENTS_S / 2.0)
         self._following = threading.Event()
         self._conversation = Conversation(on_event=self._show_event)
         self._observer = RobotObserver()
@@ -79,6 +81,7 @@ class Demonstration:
         replies = self._conversation.wait_for_replies(texts, line.timeout_s)
         self._wait_for_rest()
         time.sleep(LATE_EVENTS_S)
+        self._show_due()
         reply = replies.get(line.text)
         outcome = OUTCOME_NAMES[reply.outcome] if reply else "NO REPLY"
         is_right, reason = judge(line, outcome, self._observer.observe())
@@ -142,10 +145,21 @@ class Demonstration:
         # The executor publishes this event every second while a command runs.
         if event.sentence.startswith("Running:"):
             return
-        self._show(f"    {event.stage:<20} {event.sentence}")
+        text = f"    {event.stage:<20} {event.sentence}"
+        with self._print_lock:
+            self._print(*self._order.add(event.command.id, event.stage, text, now_s=time.monotonic()))
+
+    def _show_due(self) -> None:
+        with self._print_lock:
+            self._print(*self._order.due(now_s=time.monotonic()))
 
     def _show(self, text: str) -> None:
         with self._print_lock:
+            self._print(text)
+
+    @staticmethod
+    def _print(*texts: str) -> None:
+        for text in texts:
             print(text, flush=True)
 
 

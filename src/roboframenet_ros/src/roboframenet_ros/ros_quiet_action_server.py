@@ -252,7 +252,11 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         except Exception as error:  # boundary: the user's callback may raise anything
             rospy.logerr("the callback failed: %s\n%s", error, traceback.format_exc())
             if self.is_active():
-                self.set_aborted(None, f"{type(error).__name__}: {error}")
+                self.set_aborted(None, self.text_of_exception(error))
+
+    def text_of_exception(self, error: Exception) -> str:
+        """Return what clients are told of an exception in the callback: what the stock server tells them."""
+        return f"Exception in execute callback: {error}"
 
     def _wake_up(self) -> None:
         """End the loop; called by rospy at shutdown, while is_shutdown() may still be false."""

@@ -10,7 +10,7 @@ from stanford_parser_ros.inference import ModelError
 EXAMPLES = """examples:
   rfn check my_domain
   rfn check --examples my_domain
-  rfn check my_domain/frames/waving.yaml --with my_domain
+  rfn check my_domain/frames/winking.yaml --with my_domain
 
 exit status: 0 no problems, 1 problems, 2 wrong usage
 """
@@ -54,5 +54,9 @@ def run(arguments: argparse.Namespace) -> int:
             return 2
     for problem in problems:
         print(problem)
-    print(f"{len(checked)} files, {len(problems)} problems")
+    print(f"{_count(len(checked), 'file')}, {_count(len(problems), 'problem')}")
     return 1 if problems else 0
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"

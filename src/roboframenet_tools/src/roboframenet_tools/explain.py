@@ -7,6 +7,7 @@ from typing import List
 
 from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
+from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
@@ -15,7 +16,6 @@ from semantic_frames import FileRefused
 from semantic_frames.source_files import read_text
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.stanford_dependencies import collapsed
-from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
 from utterance_passes.tree import DependencyTree
 from world_model.world import snapshot
@@ -88,7 +88,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a sentence that was said before; a fragment such as 'again' changes or repeats its command",
     )
     parser.add_argument(
-        "--without", action="append", default=[], metavar="PASS", help="switch a pass off ('rfn passes' lists them)"
+        "--without", action="append", default=[], metavar="RULE", help="switch a rule off ('rfn passes' lists them)"
     )
     parser.add_argument(
         "--behaviour",
@@ -105,10 +105,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Explain one sentence or many; return the exit status."""
     is_following = arguments.live and not arguments.text and not arguments.batch
-    unknown = set(arguments.without) - {one.name for one in PASSES}
+    unknown = unknown_rules(arguments.without)
     wrong = ""
     if unknown:
-        wrong = f"no pass is named {', '.join(sorted(unknown))}"
+        wrong = f"no rule is named {', '.join(unknown)}"
     elif bool(arguments.text) == bool(arguments.batch) and not is_following:
         wrong = "give a sentence or --batch FILE"
     elif arguments.live and arguments.behaviour:

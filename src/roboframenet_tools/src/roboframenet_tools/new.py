@@ -3,29 +3,29 @@
 import argparse
 import os
 import sys
-from typing import Dict, FrozenSet, List, Optional, Tuple
+from typing import Dict, FrozenSet, Optional, Tuple
 
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
 from roboframenet_tools.scaffold import Ability, ability_files, is_program, node_line, package_files
 from roboframenet_tools.verb_forms import verb_of
 
 EXAMPLES = """examples:
-  rfn new waving                              the verb is "wave"
-  rfn new waving --verb beckon --folder my_robot
-  rfn new waving --package src/my_robot       a catkin package, with launch file and rostest
-  rfn new counting --verb count --from-action actionlib_tutorials/Fibonacci.action
+  rfn new winking                             the verb is "wink"
+  rfn new winking --verb blink --folder my_robot
+  rfn new winking --package src/my_robot      a catkin package, with launch file and rostest
+  rfn new computing --verb compute --from-action actionlib_tutorials/Fibonacci.action
   rfn check --examples my_robot
 
-It refuses to overwrite a file; an existing package gets the files of one more ability. Exit status: 0 written, 1 a file
-exists already, 2 wrong usage
+It refuses to overwrite a file, and the name of a shipped frame; an existing package gets the files of one more ability.
+Exit status: 0 written, 1 a file or a frame of that name exists already, 2 wrong usage
 """
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn new``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("name", help="name of the frame, such as waving")
-    parser.add_argument("--verb", help="verb that evokes it, base form (default: from the name, 'wave' for waving)")
+    parser.add_argument("name", help="name of the frame, such as winking")
+    parser.add_argument("--verb", help="verb that evokes it, base form (default: from the name, 'wink' for winking)")
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--folder", default=".", help="folder for the files (default: this one)")
     where.add_argument(
@@ -55,8 +55,20 @@ def run(arguments: argparse.Namespace) -> int:
     if there:
         print(f"rfn new: these files exist already: {', '.join(there)}; nothing was written", file=sys.stderr)
         return 1
-    for warning in _warnings(ability, known):
-        print(f"rfn new: {warning}", file=sys.stderr)
+    if ability.name in known.frames:
+        print(
+            f"rfn new: the frame '{ability.name}' exists already ({known.frames[ability.name].path}): a server can "
+            "register for it without new files. Or take another name; nothing was written",
+            file=sys.stderr,
+        )
+        return 1
+    others = sorted({unit.frame_name for unit in known.lexicon.units if ability.verb in unit.verbs})
+    if others:
+        print(
+            f"rfn new: warning: '{ability.verb}' evokes {', '.join(others)} already; the relations that fit decide "
+            "between them",
+            file=sys.stderr,
+        )
     _write(files, folder)
     print("\n".join(next_steps(ability, folder, is_new_package=is_new_package)))
     return 0
@@ -78,23 +90,6 @@ def _ability(arguments: argparse.Namespace, known: Knowledge) -> Ability:
 
     action, kind = action_class(arguments.from_action)
     return Ability(arguments.name, verb, elements=elements_of(kind), action=action, package=package)
-
-
-def _warnings(ability: Ability, known: Knowledge) -> List[str]:
-    """Say what is there already."""
-    warnings = []
-    if ability.name in known.frames:
-        path = known.frames[ability.name].path
-        warnings.append(
-            f"warning: the frame '{ability.name}' exists already ({path}). A server can register for it without "
-            "new files; two files of one frame are a mistake"
-        )
-    others = sorted({unit.frame_name for unit in known.lexicon.units if ability.verb in unit.verbs})
-    if others:
-        warnings.append(
-            f"note: '{ability.verb}' evokes {', '.join(others)} already; the relations that fit decide between them"
-        )
-    return warnings
 
 
 def _write(files: Dict[str, str], folder: str) -> None:

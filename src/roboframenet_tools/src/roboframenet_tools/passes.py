@@ -1,4 +1,4 @@
-"""``rfn passes``: lists the rules that rewrite a sentence before it is read, and their effect on a corpus."""
+"""``rfn passes``: lists the rules that can change how a sentence is read, and their effect on a corpus."""
 
 import argparse
 import sys
@@ -6,19 +6,22 @@ from dataclasses import dataclass
 from typing import Dict, Iterable, List, Sequence, Tuple
 
 from frame_learning.annotated_commands import CorpusError
-from frame_learning.corpora import CORPORA
+from frame_learning.sentence_lists import SOURCES, sentences_of
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.named_rules import NAMED_RULES
 from offline_pipeline.pipeline import Pipeline, Understanding
+from semantic_frames import FileRefused
 from stanford_parser_ros.inference import ModelError
-from utterance_passes.table import PASSES
 
 EXAMPLES = """examples:
   rfn passes
   rfn passes --corpus huric huric-2.1/english
   rfn passes --corpus huric huric-2.1/english --show quotations
+  rfn passes --corpus gpsr grammars
+  rfn passes --corpus sentences said.txt
 
-"changes" counts the sentences that a pass changes; "read otherwise" counts those that have other frames, arguments or
-another reply without it.
+"fires" counts the sentences in which a rule does something; "read otherwise" counts those that have other frames,
+arguments or another reply without it.
 
 exit status: 0 listed, 2 wrong usage
 """
@@ -26,11 +29,11 @@ exit status: 0 listed, 2 wrong usage
 
 @dataclass(frozen=True)
 class Effect:
-    """The effect of a pass on a corpus.
+    """The effect of a rule on a corpus.
 
     Attributes:
-        name: of the pass
-        changed: sentences that it changes
+        name: of the rule
+        changed: sentences in which it does something
         read_otherwise: those of them that are understood differently without it; results with and without the pass
     """
 
@@ -43,39 +46,42 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn passes``."""
     parser.epilog = EXAMPLES
     parser.add_argument(
-        "--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(CORPORA)}, and its folder"
+        "--corpus",
+        nargs=2,
+        metavar=("NAME", "PATH"),
+        help="; ".join(f"{name}: {what}" for name, what in SOURCES.items()),
     )
     parser.add_argument(
-        "--show", metavar="PASS", help="print each sentence that is understood differently without this pass"
+        "--show", metavar="RULE", help="print each sentence that is understood differently without this rule"
     )
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """List the passes; return the exit status."""
-    names = [one.name for one in PASSES]
-    if arguments.show is not None and (arguments.show not in names or not arguments.corpus):
-        print("rfn passes: --show needs the name of a pass, and --corpus", file=sys.stderr)
+    """List the rules; return the exit status."""
+    if arguments.show is not None and (arguments.show not in NAMED_RULES or not arguments.corpus):
+        print("rfn passes: --show needs the name of a rule, and --corpus", file=sys.stderr)
         return 2
     if not arguments.corpus:
-        for one in PASSES:
-            print(f"{one.name:<22} {one.stage.value:<20} {one.what}")
+        for name, (stage, what) in NAMED_RULES.items():
+            print(f"{name:<24} {stage:<20} {what}")
         return 0
-    corpus, folder = arguments.corpus
-    if corpus not in CORPORA:
-        print(f"rfn passes: expected one of {', '.join(CORPORA)}, found {corpus}", file=sys.stderr)
+    corpus, path = arguments.corpus
+    if corpus not in SOURCES:
+        print(f"rfn passes: expected one of {', '.join(SOURCES)}, found {corpus}", file=sys.stderr)
         return 2
+    names = [arguments.show] if arguments.show else list(NAMED_RULES)
     try:
-        said = tuple(dict.fromkeys(command.text for command in CORPORA[corpus].read(folder)))
+        said = sentences_of(corpus, path)
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
-        effects = effects_of(Pipeline(knowledge, is_traced=True), said, [arguments.show] if arguments.show else names)
-    except (CorpusError, ModelError, OSError) as error:
+        effects = effects_of(Pipeline(knowledge, is_traced=True), said, names)
+    except (CorpusError, FileRefused, ModelError, OSError) as error:
         print(f"rfn passes: {error}", file=sys.stderr)
         return 2
-    print(f"{len(said)} sentences\n\n{'pass':<22} {'changes':>8} {'read otherwise':>15}")
+    print(f"{len(said)} sentences\n\n{'rule':<24} {'fires':>8} {'read otherwise':>15}")
     for effect in effects:
-        print(f"{effect.name:<22} {len(effect.changed):>8} {len(effect.read_otherwise):>15}")
+        print(f"{effect.name:<24} {len(effect.changed):>8} {len(effect.read_otherwise):>15}")
     for effect in effects if arguments.show else ():
         for text, with_it, without_it in effect.read_otherwise:
             print(f'\n"{text}"\n  with     {with_it}\n  without  {without_it}')
@@ -83,12 +89,12 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) -> List[Effect]:
-    """Count the sentences that passes change, and those that are understood differently without each pass.
+    """Count the sentences in which rules do something, and those that are understood differently without each rule.
 
     Args:
-        pipeline: traced, with every pass
+        pipeline: traced, with every rule
         said: sentences
-        names: of the passes to examine
+        names: of the rules to examine
     """
     fired: Dict[str, List[Tuple[str, str]]] = {name: [] for name in names}
     for text in said:
@@ -98,7 +104,7 @@ def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) ->
     effects = []
     for name, found in fired.items():
         lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([name]))
-        # A sentence that a pass does not change is the same without the pass.
+        # A sentence in which a rule does nothing is the same without the rule.
         pairs = [(text, outcome, _outcome(lacking.understand_safely(text))) for text, outcome in found]
         otherwise = tuple((text, outcome, other) for text, outcome, other in pairs if outcome != other)
         effects.append(Effect(name, tuple(text for text, _ in found), otherwise))

@@ -5,7 +5,7 @@ import difflib
 import os
 import sys
 from dataclasses import dataclass
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Set, Tuple
 
 import rosgraph
 import roslib.message
@@ -14,15 +14,16 @@ import rosservice
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
 from rfnserver.goal_binding import BoundElement
 from rfnserver.ros_goal_messages import fields_of, goal_type_of
-from roboframenet_tools.binding_text import binding_text, frames_that_fit
+from roboframenet_tools.binding_text import binding_text, frames_that_fit, words_of
 from roboframenet_tools.ros_graph import is_master_up, live_knowledge
 
 EXAMPLES = """examples:
   rfn bind move_base --frame navigating_to_location
   rfn bind move_base --frame navigating_to_location --out my_robot/config/bindings.yaml
-  rfn bind set_light        without --frame: lists the frames that fit
+  rfn bind set_light        without --frame: lists five frames that may fit
 
 The type is that of the running server. The frames are those of the running pipeline, or those shipped.
+A field is filled by the element of its name; what else may fit is a comment.
 Exit status: 0 written, 1 the text needs your hand (it says where), 2 wrong usage, 6 no master or no such name
 """
 _NOT_THERE = 6
@@ -68,9 +69,12 @@ def run(arguments: argparse.Namespace) -> int:
     except NotThere as error:
         return _complain(str(error), _NOT_THERE)
     fields = fields_of(target.message_type)
-    frames = _elements(_knowledge())
+    knowledge = _knowledge()
+    frames = _elements(knowledge)
     if arguments.frame not in frames:
-        return _complain(_which_frame(arguments.frame, frames, frames_that_fit(fields, frames)), 2)
+        words = words_of(arguments.name, target.type_name, *(field.name for field in fields))
+        fitting = frames_that_fit(fields, frames, words=words, verbs=_verbs(knowledge))
+        return _complain(_which_frame(arguments.frame, frames, fitting), 2)
     text, fault = binding_text(
         frame_name=arguments.frame,
         elements=frames[arguments.frame],
@@ -149,12 +153,21 @@ def _elements(knowledge: Knowledge) -> Dict[str, List[BoundElement]]:
     }
 
 
+def _verbs(knowledge: Knowledge) -> Dict[str, Set[str]]:
+    """Return the verbs that evoke each frame."""
+    verbs: Dict[str, Set[str]] = {}
+    for unit in knowledge.lexicon.units:
+        verbs.setdefault(unit.frame_name, set()).update(unit.verbs)
+    return verbs
+
+
 def _which_frame(name: str, frames: Dict[str, List[BoundElement]], fitting: Tuple[str, ...]) -> str:
     if name:
         alike = difflib.get_close_matches(name, list(frames), n=1)
         hint = f"did you mean {alike[0]}?" if alike else f"'rfn new {name} --from-action TYPE' makes one"
         return f"there is no frame '{name}'; {hint}"
-    return f"which frame? Give --frame; these fit: {', '.join(fitting) or 'none'}"
+    offered = f"these may fit: {', '.join(fitting)}" if fitting else "'rfn explain SENTENCE' names that of a sentence"
+    return f"which frame? Give --frame; {offered}"
 
 
 def _complain(sentence: str, status: int) -> int:

@@ -70,7 +70,7 @@ class Ability:
     package: str = ""
 
     def __post_init__(self) -> None:
-        for name, what, example in ((self.name, "a frame", "waving"), (self.package or "x", "a package", "my_robot")):
+        for name, what, example in ((self.name, "a frame", "winking"), (self.package or "x", "a package", "my_robot")):
             if not _NAME.fullmatch(name):
                 raise ValueError(
                     f"'{name}' is not the name of {what}: use lower case letters, digits and underscores, such as "

@@ -13,6 +13,7 @@ from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.explain import describe
 from roboframenet_tools.passes import effects_of
 from roboframenet_tools.ros_graph import describe_event
+from semantic_framer.rules import RULES
 from utterance_passes.table import PASSES
 from utterance_passes.tree import DependencyTree, Word
 
@@ -125,7 +126,30 @@ def test_without_a_pass(capsys):
 
 def test_passes_are_listed_in_their_order(capsys):
     assert main(["passes"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [one.name for one in PASSES]
+    names = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+    assert names[: len(PASSES)] == [one.name for one in PASSES]
+    assert names[len(PASSES) :] == list(RULES)
+
+
+@pytest.mark.parametrize(
+    "rule, said",
+    [("deed_is_no_thing", "Take the lift."), ("places_behind", "Clean the mug on the table.")],
+)
+def test_a_rule_of_the_framer_can_be_switched_off(pipeline, rule, said):
+    lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([rule]), is_traced=True)
+    with_it, without_it = pipeline.understand(said), lacking.understand(said)
+    assert rule in {line.rule for line in with_it.trace} - {line.rule for line in without_it.trace}
+    assert with_it.reply != without_it.reply
+
+
+def test_a_list_of_sentences_is_a_corpus(tmp_path, capsys):
+    said = tmp_path / "said.tsv"
+    said.write_text("somewhere\tTake the lift.\n\nTurn left.\nTurn left.\n", encoding="utf-8")
+    assert main(["passes", "--corpus", "sentences", str(said), "--show", "deed_is_no_thing"]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("2 sentences") and '"Take the lift."' in printed
+    assert main(["passes", "--corpus", "sentences", str(tmp_path / "none")]) == 2
+    assert "no list of sentences" in capsys.readouterr().err
 
 
 def test_the_effect_of_a_pass_is_counted(pipeline):

@@ -52,56 +52,57 @@ def test_cycle_and_duplicate(chain):
 
 
 def test_scaffold_passes_the_check_and_is_not_overwritten(tmp_path, capsys):
-    words = ["new", "waving", "--verb", "wave", "--folder", str(tmp_path)]
+    words = ["new", "winking", "--verb", "wink", "--folder", str(tmp_path)]
     assert main(words) == 0
     assert main(words) == 1
     knowledge, checked = load_paths([str(tmp_path)])
     assert len(checked) == 2
     assert find_problems(knowledge, checked) == []
-    compile((tmp_path / "nodes" / "waving_server").read_text(), "waving_server", "exec")
+    compile((tmp_path / "nodes" / "winking_server").read_text(), "winking_server", "exec")
 
 
 def test_verb_comes_from_the_name_and_next_steps_are_said(tmp_path, capsys):
-    assert main(["new", "waving", "--folder", str(tmp_path)]) == 0
+    assert main(["new", "winking", "--folder", str(tmp_path)]) == 0
     printed = capsys.readouterr().out
-    assert 'The verb is "wave".' in printed
+    assert 'The verb is "wink".' in printed
     assert f"rfn check --examples {tmp_path}" in printed
-    assert "verb: [wave]" in (tmp_path / "lexical_units" / "waving.yaml").read_text()
+    assert "verb: [wink]" in (tmp_path / "lexical_units" / "winking.yaml").read_text()
 
 
-def test_new_warns_of_a_frame_that_exists(tmp_path, capsys):
-    assert main(["new", "turning", "--folder", str(tmp_path)]) == 0
-    warned = capsys.readouterr().err
-    assert "the frame 'turning' exists already" in warned
-    assert "'turn' evokes" in warned
+def test_new_refuses_a_frame_that_exists_and_warns_of_a_verb(tmp_path, capsys):
+    assert main(["new", "turning", "--folder", str(tmp_path)]) == 1
+    assert "the frame 'turning' exists already" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+    assert main(["new", "turning_pages", "--verb", "turn", "--folder", str(tmp_path)]) == 0
+    assert "'turn' evokes" in capsys.readouterr().err
 
 
 def test_new_package_and_a_second_ability(tmp_path, capsys):
     package = tmp_path / "my_robot"
-    assert main(["new", "waving", "--package", str(package)]) == 0
+    assert main(["new", "winking", "--package", str(package)]) == 0
     assert ElementTree.parse(package / "package.xml").findtext("name") == "my_robot"
     node = ElementTree.parse(package / "launch" / "my_robot.launch").find("node")
-    assert (node.get("pkg"), node.get("type")) == ("my_robot", "waving_server")
-    test = ElementTree.parse(package / "test" / "rostest" / "waving.test").find("test").get("type")
-    for program in ("nodes/waving_server", f"test/rostest/{test}"):
+    assert (node.get("pkg"), node.get("type")) == ("my_robot", "winking_server")
+    test = ElementTree.parse(package / "test" / "rostest" / "winking.test").find("test").get("type")
+    for program in ("nodes/winking_server", f"test/rostest/{test}"):
         assert (package / program).stat().st_mode & 0o111
         compile((package / program).read_text(), program, "exec")
-    assert main(["new", "bowing", "--verb", "bow", "--package", str(package)]) == 0
-    assert 'type="bowing_server"' in capsys.readouterr().out
+    assert main(["new", "juggling", "--verb", "juggle", "--package", str(package)]) == 0
+    assert 'type="juggling_server"' in capsys.readouterr().out
     knowledge, checked = load_paths([str(package)])
     assert (len(checked), find_problems(knowledge, checked)) == (4, [])
 
 
 def test_new_from_an_action_fills_its_fields(tmp_path):
-    words = ["new", "counting", "--from-action", "actionlib_tutorials/Fibonacci.action", "--folder", str(tmp_path)]
+    words = ["new", "computing", "--from-action", "actionlib_tutorials/Fibonacci.action", "--folder", str(tmp_path)]
     assert main(words) == 0
     knowledge, checked = load_paths([str(tmp_path)])
     assert find_problems(knowledge, checked) == []
-    (element,) = knowledge.frames["counting"].frame_elements
+    (element,) = knowledge.frames["computing"].frame_elements
     assert (element.name, element.is_core) == ("order", True)
-    server = (tmp_path / "nodes" / "counting_server").read_text()
-    compile(server, "counting_server", "exec")
-    assert 'RFNServer("counting", FibonacciAction, execute_cb=execute' in server
+    server = (tmp_path / "nodes" / "computing_server").read_text()
+    compile(server, "computing_server", "exec")
+    assert 'RFNServer("computing", FibonacciAction, execute_cb=execute' in server
 
 
 def test_new_from_an_action_without_fields_needs_no_elements(tmp_path):

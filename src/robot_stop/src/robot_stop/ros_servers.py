@@ -89,6 +89,7 @@ class Servers:
         # What the servers were found in: while it is the same, so are they.
         self._found_in: Optional[Tuple[SystemState, FrozenSet[str]]] = None
         self._looked_s: Optional[float] = None
+        self._told_count = 0
         self._is_closing = threading.Event()
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._refresh_on, name="stoppable_servers", daemon=True)
@@ -151,6 +152,7 @@ class Servers:
         registered = self._registered
         state, types = self._master.graph()
         if self._found_in is not None and state is self._found_in[0] and registered == self._found_in[1]:
+            self._tell_count()
             return
         servers = find_servers(
             types,
@@ -165,10 +167,17 @@ class Servers:
         dropped = [connection for server, connection in self._connections.items() if server not in servers]
         for server in servers - kept.keys():
             kept[server] = _Connection(server)
-            rospy.loginfo("a stop can cancel %s", server.name)
+            rospy.logdebug("a stop can cancel %s", server.name)
         self._connections = kept
         self._found_in = (state, registered)
         if self._looked_s is None:
             self._looked_s = time.monotonic()
         for connection in dropped:
             connection.close()
+
+    def _tell_count(self) -> None:
+        """Log how many servers there are, once their number has settled."""
+        count = len(self._connections)
+        if count != self._told_count:
+            self._told_count = count
+            rospy.loginfo("a stop can cancel %d action servers", count)

@@ -89,7 +89,7 @@ def _is_reason(case: Case, clause: Clause) -> bool:
 
 def _refusal(verdicts: Sequence[SentenceVerdict], case: Case, trace: Optional[Trace]) -> Optional[Refusal]:
     for verdict in verdicts:
-        refusal = verdict.refuse(case)
+        refusal = verdict.refuse(case) if verdict.name not in case.known.without else None
         if refusal is not None:
             if trace is not None:
                 trace.add(verdict.name, after=f"refused. {verdict.reason}")

@@ -1,7 +1,7 @@
 """Lexical units and the frames that they evoke: the knowledge of the framer, and the vocabulary of the passes."""
 
 from dataclasses import dataclass, field
-from typing import Mapping, Optional, Sequence, Tuple
+from typing import FrozenSet, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.heeding import FrameHeeding
@@ -27,6 +27,7 @@ class FramedLexicon:
             registrar says
         world: what the robot knows of things, persons and places
         speaker: id of the person who speaks; empty when unknown
+        without: names of passes and :data:`.rules.RULES` that are switched off, which shows what a rule does
     """
 
     lexicon: Lexicon
@@ -35,6 +36,7 @@ class FramedLexicon:
     heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
     world: World = field(default_factory=World)
     speaker: str = ""
+    without: FrozenSet[str] = frozenset()
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

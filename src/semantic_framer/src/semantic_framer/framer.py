@@ -114,16 +114,17 @@ def hear(
         now_s: time on the caller's clock, seconds; it decides when questions expire
         said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
         is_at_page: whether the utterance comes from the page or from a program, and not from the person who speaks
-        without: names of passes to switch off, which shows what a pass does
+        without: names of passes and of :data:`.rules.RULES` to switch off, which shows what a rule does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
+    known = replace(known, without=without) if without else known
     context = looked_up_again(context.at(now_s).fresh(said_s, policy.fragment_timeout_s), known)
     now, question, speaker = Now(known, policy, now_s, trace), context.pending, "" if is_at_page else known.speaker
     is_of_another = question is not None and not question.may_be_answered_by(speaker)
     if question is not None and is_of_another:
         now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
         context = replace(context, pending=None)
-    heard = _Hearing(now, without).hear(tree, context)
+    heard = _Hearing(now).hear(tree, context)
     pending = heard.context.pending
     if pending is not None and pending is not question:
         pending = replace(pending, asked=speaker)
@@ -157,7 +158,6 @@ def restructured(
     known: FramedLexicon,
     *,
     passes: Sequence[TreePass] = FRAMER_TREE_PASSES,
-    without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Union[Sentence, Tuple[Choice, ...]]:
     """Run the passes on a tree.
@@ -166,7 +166,7 @@ def restructured(
         the sentence; or the readings to choose from, if the correction is ambiguous
     """
     try:
-        return Sentence(run_tree_passes(tree, known, passes, without=without, trace=trace), known.types)
+        return Sentence(run_tree_passes(tree, known, passes, without=known.without, trace=trace), known.types)
     except Uncertain as uncertain:
         if trace is not None:
             trace.add("corrections", after=f"asked: {uncertain}" if uncertain.choices else "all is taken back")
@@ -185,9 +185,8 @@ def _begun(heard: Heard, beginning: str) -> Heard:
 class _Hearing:
     """Understands one utterance."""
 
-    def __init__(self, now: Now, without: FrozenSet[str]) -> None:
+    def __init__(self, now: Now) -> None:
         self._now = now
-        self._without = without
         self._trace = now.trace
 
     def hear(self, tree: DependencyTree, context: Context) -> Heard:
@@ -270,7 +269,7 @@ class _Hearing:
         return replace(heard, outcome=replace(heard.outcome, clauses=without_positions(heard.outcome.clauses)))
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
-        return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
+        return restructured(tree, self._now.known, passes=passes, trace=self._trace)
 
     def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
@@ -279,13 +278,14 @@ class _Hearing:
         behind_question = self._behind_question(sentence, context)
         if behind_question is not None:
             return behind_question
-        attached = attached_by_world(sentence, self._now.known, context)
+        is_on = "attached_by_world" not in self._now.known.without
+        attached = attached_by_world(sentence, self._now.known, context) if is_on else None
         if attached is None:
             heard = self._read(sentence, context)
             return heard if isinstance(heard.outcome, Understood) else self._going_on(sentence, context) or heard
         trace = Trace() if self._trace is not None else None
-        heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
-        plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)
+        heard = _Hearing(replace(self._now, trace=trace))._read(attached.sentence, context)
+        plain = _Hearing(replace(self._now, trace=None))._read(sentence, context)
         best, before = ([read.kept[0] for read in one.clauses if read.kept] for one in (heard, plain))
         is_whole = len(best) == len(heard.clauses)
         if not is_whole or not is_better(attached, best, before, self._now.known):
@@ -359,11 +359,11 @@ class _Hearing:
 
     def _items_apart(self, sentence: Sentence, best: Sequence[Reading], context: Context) -> Optional[Heard]:
         """Understand each item of a list for itself; None where the items are not handled in different ways."""
-        apart = with_items_apart(sentence, best)
+        apart = with_items_apart(sentence, best) if "mixed_lists" not in self._now.known.without else None
         if apart is None:
             return None
         trace = Trace() if self._trace is not None else None
-        heard = _Hearing(replace(self._now, trace=trace), self._without)._read_command(apart, context)
+        heard = _Hearing(replace(self._now, trace=trace))._read_command(apart, context)
         outcome = heard.outcome
         if not isinstance(outcome, Understood) or not are_handled_apart(best, [one[0] for one in outcome.clauses]):
             return None

@@ -83,7 +83,7 @@ def read_clause(
                 if trace is not None:
                     write_unit(trace, sentence, match, unit, None, unit.relations)
                 continue
-            filling = _Filling(sentence, clause, unit, frame, match, amounts)
+            filling = _Filling(sentence, clause, unit, frame, match, amounts, known.without)
             reading = filling.reading()
             if trace is not None:
                 if reading is not None:
@@ -105,7 +105,9 @@ class _Filling:
         frame: SemanticFrame,
         match: VerbMatch,
         amounts: Tuple[Amount, ...],
+        without: FrozenSet[str],
     ) -> None:
+        self._without = without
         self._sentence = sentence
         self._clause = clause
         self._unit = unit
@@ -286,7 +288,7 @@ class _Filling:
 
     def _reattached(self, preposition: str, is_core: bool) -> List[int]:
         """Return the phrases that the parser attached to an object although the unit asks for them at the verb."""
-        if not preposition or not (is_core or preposition in DIRECTIONAL):
+        if not preposition or not (is_core or preposition in DIRECTIONAL) or "reattached" in self._without:
             return []
         found: List[int] = []
         for noun, is_object in self._nouns:
@@ -379,7 +381,7 @@ class _Filling:
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
         noun = self._sentence.subtree(head) - left_out
-        if not noun or not has_postmodifiers(self._sentence.tree, head):
+        if not noun or "places_behind" in self._without or not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
         if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
@@ -407,7 +409,7 @@ class _Filling:
 
     def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the adverb before the preposition of a phrase: "close" in "close to the door"."""
-        phrase = self._sentence.subtree(head) - left_out
+        phrase = self._sentence.subtree(head) - left_out if "words_before" not in self._without else frozenset()
         free = self._clause.positions - left_out - frozenset(self._heads.values())
         return words_before(self._sentence.tree, self._clause.verb, min(phrase), free) if phrase else frozenset()
 

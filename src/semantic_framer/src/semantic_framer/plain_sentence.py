@@ -39,12 +39,13 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
     clauses_of_tree = find_clauses(sentence.tree, now.known)
     change = None
-    if now.policy.fragment_timeout_s:
+    if now.policy.fragment_timeout_s and "fragment" not in now.known.without:
         change = change_of(sentence, clauses_of_tree, context, now.known)
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
         return Heard(*_changed(change, sentence, context, now), sentence)
-    wanted = asked_for(sentence, clauses_of_tree, now.known)
+    is_on = "things_asked_for" not in now.known.without
+    wanted = asked_for(sentence, clauses_of_tree, now.known) if is_on else None
     if wanted is not None:
         now.write("things_asked_for", sentence.tree.text, wanted.tree.text)
         heard = read_plain(wanted, context, now)

@@ -100,7 +100,7 @@ def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) 
         trace: receives a line for each unit, verdict and rank; None for no trace
     """
     read = _readings_of(of, clause, trace)
-    shared = shared_object(of.sentence.tree, clause.verb)
+    shared = shared_object(of.sentence.tree, clause.verb) if "shared_object" not in of.known.without else 0
     if not shared or any(not reading.missing for reading in read.kept):
         return read
     lines = Trace() if trace is not None else None
@@ -122,11 +122,13 @@ def _readings_of(of: Case, clause: Clause, trace: Optional[Trace]) -> ClauseRead
     if trace is not None:
         trace.add("clause", clause.lemma, after=case.said, positions=clause.positions)
     for verdict in CLAUSE_VERDICTS:
-        refusal = verdict.refuse(case)
+        refusal = verdict.refuse(case) if verdict.name not in of.known.without else None
         if refusal is not None:
             return _refused(case, (), verdict, refusal, trace)
     plausible = kept = plausible_readings(case, trace)
     for reading_verdict in READING_VERDICTS:
+        if reading_verdict.name in of.known.without:
+            continue
         kept = _drop([reading_verdict], case, kept, kept, trace)
         refusal = None if kept else reading_verdict.refuse(case)
         if refusal is not None:
@@ -162,9 +164,10 @@ def _drop(
     trace: Optional[Trace],
 ) -> Tuple[Reading, ...]:
     """Return the readings that no verdict drops."""
+    judging = [verdict for verdict in verdicts if verdict.name not in case.of.known.without]
     kept = []
     for reading in readings:
-        verdict = next((verdict for verdict in verdicts if verdict.drops(case, reading, beside)), None)
+        verdict = next((one for one in judging if one.drops(case, reading, beside)), None)
         if verdict is None:
             kept.append(reading)
         elif trace is not None:

@@ -12,7 +12,6 @@ from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameAction,
-    FilledSemanticFrameFeedback,
     FilledSemanticFrameGoal,
 )
 
@@ -207,7 +206,7 @@ class OnDemand:
         end = self._forwarders[manifest.server].carry_out(
             FilledSemanticFrameGoal(frame=frame),
             is_to_end=lambda: self._server.is_preempt_requested() or not server.is_up.is_set(),
-            on_feedback=lambda _: self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True)),
+            on_feedback=self._server.publish_feedback,
         )
         if end.status == GoalStatus.PREEMPTED and not self._server.is_preempt_requested():
             return ForwardedEnd(GoalStatus.ABORTED, f"{manifest.server} died before it had finished")

@@ -229,7 +229,7 @@ class TurtlebotFollower:
             self._server.set_aborted(FilledSemanticFrameResult(success=False), problem)
         else:
             rospy.loginfo("preempted")
-            self._server.set_preempted(FilledSemanticFrameResult(success=False), "stopped following")
+            self._server.set_preempted(FilledSemanticFrameResult(success=False))
 
     def _is_over(self) -> bool:
         return self._is_ending.is_set() or self._server.is_preempt_requested()

@@ -119,7 +119,7 @@ class UtterServer:
                 return
             self._voice.say(sentence, is_wanted=lambda: not (server.is_preempt_requested() or rospy.is_shutdown()))
             if server.is_preempt_requested():
-                server.set_preempted(None, "I was interrupted.")
+                server.set_preempted(None)
             elif is_answer:
                 # The reply to the command has it too.
                 server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)

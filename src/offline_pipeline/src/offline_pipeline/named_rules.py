@@ -1,0 +1,25 @@
+"""All rules that can change how a sentence is read, and that can be switched off to see what each of them does."""
+
+from typing import Iterable, Mapping, NamedTuple, Tuple
+
+from semantic_framer.rules import RULES
+from utterance_passes.table import PASSES
+
+
+class NamedRule(NamedTuple):
+    """Where a rule runs, and what it does."""
+
+    stage: str
+    what: str
+
+
+#: The passes in their order, then the rules of the framer, by their names in the trace.
+NAMED_RULES: Mapping[str, NamedRule] = {
+    **{one.name: NamedRule(one.stage.value, one.what) for one in PASSES},
+    **{name: NamedRule("framer", what) for name, what in RULES.items()},
+}
+
+
+def unknown_rules(names: Iterable[str]) -> Tuple[str, ...]:
+    """Return the names that no rule has."""
+    return tuple(sorted(set(names) - set(NAMED_RULES)))
