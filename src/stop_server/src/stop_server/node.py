@@ -22,7 +22,6 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import Empty, String
 
 from command_server.beside_cries import words_not_done
-from command_server.emergency_words import is_emergency_stop
 from command_server.ros_orders_back import OrdersTakenBack, may_be_order_taken_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
@@ -37,7 +36,6 @@ from robot_stop.sentences import REST_NOT_DONE, sentence_of, sentence_of_rest
 from robot_stop.settings import BrakeSettings
 from stop_server.heard_once import HeardOnce
 from stop_server.other_answers import OtherAnswers
-from stop_server.ros_emergency import EmergencyKeeper
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
 from stop_server.unheard_texts import UnheardTexts
 
@@ -97,7 +95,6 @@ class StopServerNode:
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
         self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
-        self._emergency = EmergencyKeeper(self._brake, on_engaged=self._hear_engaged)
         self._own_server = rospy.resolve_name(SERVER)
         self._frame = StoppingFrame(self._stop_for_frame)
 
@@ -105,7 +102,6 @@ class StopServerNode:
         """Subscribe."""
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
-        self._emergency.start()
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("status", CommandStatus, self._orders_back.hear_status),
@@ -135,7 +131,6 @@ class StopServerNode:
         self._frame.start()
 
     def _shutdown(self) -> None:
-        self._emergency.close(timeout_s=_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=_JOIN_TIMEOUT_S)
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
@@ -203,13 +198,6 @@ class StopServerNode:
             key = self._stop_ids.next_id()
             self._heard[key] = heard
         self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
-        if is_emergency_stop(heard.text):
-            self._emergency.engage(f'"{heard.text.strip()}"')
-
-    def _hear_engaged(self, by: str) -> None:
-        """The emergency stop was engaged without an utterance: nobody waits for a reply."""
-        rospy.logwarn("the emergency stop was engaged: %s", by)
-        self._stop(_StopHeard(text="", stamp=rospy.Time.now(), is_shared=True))
 
     def _hear_reply(self, reply: Reply) -> None:
         if reply._connection_header["callerid"] == rospy.get_name():
@@ -262,35 +250,22 @@ class StopServerNode:
                 told.heard.findings.put(finding)
         elif not finding.is_first or not self._is_answered(told):
             report = self._report_of(told, finding=finding, sentence=sentence)
-            if not finding.is_first or told.heard.is_shared:
-                self._report.publish(report)
-            elif is_emergency_stop(told.heard.text):
-                # It is written down before anybody may rely on it.
-                self._emergency.call_when_written(lambda: self._reply_to(told, finding, report))
-            else:
-                self._reply_to(told, finding, report)
+            if finding.is_first and not told.heard.is_shared:
+                rest = sentence_of_rest(words_not_done(told.heard.text))
+                code = "NOT_STOPPED" if not finding.obedience.is_complete else REST_NOT_DONE if rest else "DONE"
+                report.reply = Reply(
+                    command=told.command,
+                    stage=STAGE,
+                    sentence=f"{sentence} {rest}".strip(),
+                    stamp=rospy.Time.now(),
+                    outcome=Reply.DONE if code == "DONE" else Reply.FAILED,
+                    code=code,
+                )
+            self._report.publish(report)
+            if finding.is_first and report.reply.command.id:
+                self._reply.publish(report.reply)
         if not finding.is_first or not finding.obedience.is_complete:
             rospy.logwarn("%s", sentence)
-
-    def _reply_to(self, told: _Told, finding: Finding, report: StopReport) -> None:
-        """Publish the reply to a stop, with its report."""
-        is_emergency = is_emergency_stop(told.heard.text)
-        rest = sentence_of_rest(words_not_done(told.heard.text))
-        code = "NOT_STOPPED" if not finding.obedience.is_complete else REST_NOT_DONE if rest else "DONE"
-        sentences = [report.sentence, self._emergency.state.sentence if is_emergency else "", rest]
-        if is_emergency and not self._emergency.is_written:
-            code = code if code == "NOT_STOPPED" else "STAGE_ERROR"
-            sentences.append("I could not write it down: it does not survive a restart.")
-        report.reply = Reply(
-            command=told.command,
-            stage=STAGE,
-            sentence=" ".join(filter(None, sentences)),
-            stamp=rospy.Time.now(),
-            outcome=Reply.DONE if code == "DONE" else Reply.FAILED,
-            code=code,
-        )
-        self._report.publish(report)
-        self._reply.publish(report.reply)
 
     def _report_of(self, told: _Told, *, finding: Optional[Finding] = None, sentence: str = "") -> StopReport:
         return StopReport(
