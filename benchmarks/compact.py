@@ -15,8 +15,8 @@ import time
 from typing import Dict
 
 import psutil
-from own_graph import BARE, OwnGraph
-from processor_time import processor_s
+from measuring.own_graph import BARE, OwnGraph
+from measuring.processor_time import processor_s
 
 START_TIMEOUT_S = 120.0
 ANSWER_S = 0.5

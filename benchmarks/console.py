@@ -18,8 +18,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
-from own_graph import OwnGraph, end
-from processor_time import pid_of, processor_s
+from measuring.own_graph import OwnGraph, end
+from measuring.processor_time import pid_of, processor_s
 from stage_latency import Measurement
 
 PORT = 18090

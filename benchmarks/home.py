@@ -10,8 +10,8 @@ import sys
 import time
 
 import psutil
-from own_graph import BARE, OwnGraph
-from processor_time import pid_of, processor_s
+from measuring.own_graph import BARE, OwnGraph
+from measuring.processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 5.0
@@ -29,8 +29,10 @@ def idle() -> int:
     import rospy
     from std_msgs.msg import String
 
+    from roboframenet_ros.ros_waiting import wait_for_message
+
     rospy.init_node("measuring", disable_signals=True)
-    rospy.wait_for_message("home/truth", String, START_TIMEOUT_S)
+    wait_for_message("home/truth", String, START_TIMEOUT_S)
     pids = {name: pid_of(f"/{name}") for name in (HOME, BARE)}
     rospy.signal_shutdown("nobody hears the home")
     time.sleep(SETTLE_S)
@@ -53,9 +55,11 @@ def drive() -> int:
         FilledSemanticFrameGoal,
     )
 
+    from roboframenet_ros.ros_waiting import wait_for_action_server
+
     rospy.init_node("measuring", disable_signals=True)
     client = actionlib.SimpleActionClient("home/act", FilledSemanticFrameAction)
-    if not client.wait_for_server(rospy.Duration(RATE_FACTOR * START_TIMEOUT_S)):
+    if not wait_for_action_server(client, START_TIMEOUT_S):
         raise SystemExit("home/act does not answer")
     pid = pid_of(f"/{HOME}")
     psutil.Process(pid).cpu_affinity([0])
@@ -64,7 +68,11 @@ def drive() -> int:
     while time.monotonic() < begin_s + DRIVE_S:
         goal = FilledFrameElement(name="goal", argument=ROOMS[arrived % len(ROOMS)])
         client.send_goal(FilledSemanticFrameGoal(frame=FilledSemanticFrame(name="go", frame_elements=[goal])))
-        if not client.wait_for_result(rospy.Duration(RATE_FACTOR * DRIVE_S)):
+        with client.done_condition:
+            is_there = client.done_condition.wait_for(
+                lambda: client.simple_state == actionlib.SimpleGoalState.DONE, DRIVE_S
+            )
+        if not is_there:
             raise SystemExit(f"the robot does not arrive in the {goal.argument}")
         arrived += 1
     real_s, home_s = time.monotonic() - begin_s, (rospy.Time.now() - begin).to_sec()

@@ -8,4 +8,5 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "unit"))
 
 from learned_policies.__main__ import main
 
-main()
+if __name__ == "__main__":
+    main()

@@ -11,7 +11,7 @@ import time
 from contextlib import ExitStack
 from typing import Dict, List
 
-from own_graph import end, free_port
+from measuring.own_graph import end, free_port
 
 COUNTS = (10, 1000)
 SENTENCES = 40

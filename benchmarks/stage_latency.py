@@ -16,8 +16,8 @@ import time
 from math import ceil
 from typing import Dict, List, Sequence
 
-from arrivals import Arrivals, quantiles, wait_for_connections
-from own_graph import OwnGraph
+from measuring.arrivals import Arrivals, quantiles, wait_for_connections
+from measuring.own_graph import OwnGraph
 
 START_TIMEOUT_S = 300.0
 ANSWER_TIMEOUT_S = 60.0
@@ -50,9 +50,11 @@ def relay() -> None:
     from actionlib.msg import TestAction, TestGoal
     from std_msgs.msg import String
 
+    from roboframenet_ros.ros_waiting import wait_for_action_server
+
     rospy.init_node("bare_relay")
     client = actionlib.SimpleActionClient("bare_server", TestAction)
-    client.wait_for_server()
+    assert wait_for_action_server(client, START_TIMEOUT_S), "the stock server does not answer"
     back = rospy.Publisher("bare_back", String, queue_size=10)
     rospy.Subscriber("bare_text", String, back.publish)
     rospy.Subscriber("bare_order", String, lambda message: client.send_goal(TestGoal()))

@@ -11,8 +11,8 @@ import tempfile
 import time
 from typing import Any, Callable, List
 
-from own_graph import BARE, OwnGraph
-from processor_time import pid_of, processor_s
+from measuring.own_graph import BARE, OwnGraph
+from measuring.processor_time import pid_of, processor_s
 
 START_TIMEOUT_S = 60.0
 SETTLE_S = 10.0

@@ -10,8 +10,8 @@ import sys
 import time
 from typing import Dict, List
 
-from arrivals import Arrivals, quantiles, wait_for_connections
-from own_graph import OwnGraph
+from measuring.arrivals import Arrivals, quantiles, wait_for_connections
+from measuring.own_graph import OwnGraph
 
 START_TIMEOUT_S = 60.0
 ANSWER_TIMEOUT_S = 20.0

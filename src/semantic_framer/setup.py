@@ -16,6 +16,7 @@ setup(
                 "moods.yaml",
                 "objections.yaml",
                 "small_talk.yaml",
+                "unread_words.yaml",
             ]
         },
     )

@@ -40,14 +40,15 @@ class Seen:
 class Robots:
     """What the robots do, and what is said to them."""
 
-    def __init__(self) -> None:
+    def __init__(self, robots: Tuple[str, ...] = ROBOTS) -> None:
         self._lock = threading.Lock()
+        self.names = robots
         self.fleet = Fleet()
         self.service = FleetService()
-        self.seen: Dict[str, Seen] = {robot: Seen() for robot in ROBOTS}
+        self.seen: Dict[str, Seen] = {robot: Seen() for robot in robots}
         self.replies: List[Reply] = []
         self._servers = FrameServers()
-        self._texts = {name: rospy.Publisher(f"{name}/text", String, queue_size=10) for name in ROBOTS}
+        self._texts = {name: rospy.Publisher(f"{name}/text", String, queue_size=10) for name in robots}
         self._texts[""] = rospy.Publisher("text", String, queue_size=10)
         self._subscribers = [
             rospy.Subscriber("fleet", Fleet, self._hear_fleet, queue_size=1),
@@ -55,7 +56,7 @@ class Robots:
             rospy.Subscriber("frame_servers", FrameServers, self._hear_servers, queue_size=1),
             rospy.Subscriber("reply", Reply, self.replies.append, queue_size=100),
         ]
-        for robot in ROBOTS:
+        for robot in self.names:
             self._subscribers += [
                 rospy.Subscriber(f"{robot}/odom", Odometry, self._hear_odometry, robot, queue_size=1),
                 rospy.Subscriber(f"{robot}/reply", Reply, self.seen[robot].replies.append, queue_size=100),
@@ -85,12 +86,12 @@ class Robots:
 
     def wait_until_ready(self, frames: Tuple[str, ...] = ("turning", "moving_forward")) -> None:
         """Return when all robots take part, their servers are registered, and the parser runs."""
-        wanted = {(robot, frame) for robot in ROBOTS for frame in frames}
-        wait_until(lambda: self.members() == ROBOTS and self.service.is_up, _WAIT_S)
+        wanted = {(robot, frame) for robot in self.names for frame in frames}
+        wait_until(lambda: self.members() == tuple(sorted(self.names)) and self.service.is_up, _WAIT_S)
         wait_until(lambda: wanted <= {(one.profile.robot, one.frame_name) for one in self._servers.callbacks}, _WAIT_S)
         # stop_server and fleet must hear what is said.
-        wait_until(lambda: self._texts[""].get_num_connections() >= 1 + len(ROBOTS), _WAIT_S)
-        for robot in ROBOTS:
+        wait_until(lambda: self._texts[""].get_num_connections() >= 1 + len(self.names), _WAIT_S)
+        for robot in self.names:
             wait_until(lambda robot=robot: self._texts[robot].get_num_connections() >= 2, _WAIT_S)
 
     def say(self, text: str, *, to: str = "") -> None:
@@ -124,7 +125,7 @@ class Robots:
         told_s: Dict[str, float] = {}
 
         def are_moving() -> bool:
-            for robot in ROBOTS:
+            for robot in self.names:
                 if self.stands(robot) and time.monotonic() - told_s.get(robot, 0.0) > _AGAIN_S:
                     told_s[robot] = time.monotonic()
                     self.say("Turn left 3600 degrees.", to=robot)

@@ -37,6 +37,19 @@ class FleetTest(unittest.TestCase):
         reply = self.assert_moves("Alpha, turn left 20 degrees, and Gamma, turn right 20 degrees.", "alpha", "gamma")
         self.assertRegex(reply.sentence, r"^Alpha( and|: Done.*) Gamma: Done\.")
         self.assert_moves("Everybody but Gamma, turn left 20 degrees.", "alpha", "beta")
+        self.assert_moves("Beta, turn left 20 degrees.", "beta")
+        # What is said to a robot that is not here is done by none; the whole table is an acceptance test.
+        for text, who in (
+            ("Robot four, turn left 20 degrees.", "no robot four here"),
+            ("Could you turn left 20 degrees, Luna?", "no robot called Luna here"),
+            ("Alpha, turn left 20 degrees, and the fifth robot, turn right 20 degrees.", "no fifth robot here"),
+        ):
+            before = self.poses_at_rest()
+            reply = self.robots.ask(text)
+            self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "UNKNOWN_ROBOT"), reply.sentence)
+            self.assertIn(who, reply.sentence)
+            self.assertTrue(self.robots.stand(ROBOTS))
+            self.assertEqual(self.robots.who_moved(before), (), text)
 
     def test_2_the_topic_of_a_robot_speaks_to_it_alone(self) -> None:
         self.assert_moves("Turn left 20 degrees.", "gamma", to="gamma")
@@ -46,15 +59,19 @@ class FleetTest(unittest.TestCase):
         self.assertEqual(self.robots.who_moved(before), ())
 
     def test_3_a_stop_stops_whom_it_is_for(self) -> None:
-        for text, to, stopped in (
-            ("Stop.", "alpha", ("alpha",)),
-            ("Beta, stop.", "", ("beta",)),
-            ("Stop gamma.", "", ("gamma",)),
-            ("Stop.", "", ROBOTS),
+        for text, to, stopped, told in (
+            ("Stop.", "alpha", ("alpha",), "Stopped"),
+            ("Beta, stop.", "", ("beta",), "Beta: Stopped"),
+            ("Stop gamma.", "", ("gamma",), "Gamma: Stopped"),
+            ("Alpha has to stop now.", "", ("alpha",), "Alpha: Stopped"),
+            ("Alpha, stop Gamma.", "", ("alpha", "gamma"), "Alpha and Gamma: Stopped"),
+            ("Robot four, stop.", "", ROBOTS, "There is no robot four here"),
+            ("Stop.", "", ROBOTS, "Alpha, Beta and Gamma: Stopped"),
         ):
             self.robots.all_move()
             reply = self.robots.ask(text, to=to)
             self.assertEqual(reply.code, "DONE", reply.sentence)
+            self.assertIn(told, reply.sentence)
             self.assertTrue(self.robots.stand(stopped), text)
             others = [robot for robot in ROBOTS if robot not in stopped]
             for robot in others:
@@ -110,6 +127,7 @@ class FleetTest(unittest.TestCase):
         reply = self.robots.ask("Gamma, turn left.")
         self.assertEqual((reply.outcome, reply.sentence), (Reply.REFUSED, "Gamma is not here."))
         self.assert_moves("Both of you, turn left 20 degrees.", "alpha", "beta")
+        self.assert_moves("Everybody but Gamma, turn right 20 degrees.", "alpha", "beta")
 
     def test_6_without_the_service_each_robot_follows_its_policy(self) -> None:
         """Alpha is to stop and go home, beta to finish: see fleet.test."""

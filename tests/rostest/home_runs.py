@@ -2,7 +2,7 @@
 
 import json
 import threading
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Mapping, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalStatus
@@ -68,12 +68,21 @@ class RosRuns:
         with self._lock:
             return dict(self._truth)
 
+    @property
+    def truth(self) -> Dict[str, Any]:
+        """What is true in the home."""
+        return self._now()
+
+    def arrange(self, arranged: Mapping[str, str]) -> None:
+        """Let the home begin anew, and wait until the robot has looked around."""
+        times = self._arranged_times()
+        self._arrange.publish(json.dumps(dict(arranged)))
+        wait_until(lambda: self._arranged_times() > times, message=f"the home is not as {arranged}")
+        rospy.sleep(_LOOK_S)
+
     def run(self, command: Command) -> Run:
         """Carry a command out in a home that is arranged for it."""
-        times = self._arranged_times()
-        self._arrange.publish(json.dumps(dict(command.arranged)))
-        wait_until(lambda: self._arranged_times() > times, message=f"the home is not as {command.arranged}")
-        rospy.sleep(_LOOK_S)
+        self.arrange(command.arranged)
         with self._lock:
             self._events.clear()
             self._reasons.clear()

@@ -45,7 +45,7 @@ class QuestionAnsweringTest(unittest.TestCase):
         self.assert_says("Where is the mug?", "on the table in the kitchen")
         # Nobody speaks as fast; the answer comes over another way than what was said before.
         for _ in range(10):
-            self.assert_says("Where is the spoon?", "I have not seen a spoon.")
+            self.assert_says("Where is the spoon?", "I know of no spoon.")
             self.assert_says("What did I say?", "Where is the spoon?")
             self.assert_says("What did you say?", "Where is the spoon?")
 

@@ -78,3 +78,31 @@ def renamed(sentence: Sentence) -> Sentence:
     """Return the sentence with EWT's present names of relations."""
     words = tuple(replace(word, deprel=_RENAMED.get(word.deprel, word.deprel)) for word in sentence.words)
     return replace(sentence, words=words)
+
+
+_SUBORDINATING_ADVERBS = frozenset("when where whenever wherever why how".split())
+
+
+def as_written(sentence: Sentence) -> Sentence:
+    """Return a sentence of UD_English-CHILDES with EWT's conventions.
+
+    A second verb behind "go" and "come" is no compound but what they are for; question words stay adverbs where they
+    introduce a clause; final marks have one tag; a particle is an adposition, and "back" an adverb.
+    """
+    words = list(sentence.words)
+    for place, word in enumerate(words):
+        governor = words[word.head - 1] if word.head else None
+        if word.deprel == "compound" and word.upos == "VERB" and governor is not None and word.head <= place:
+            word = replace(word, deprel="xcomp")
+        if word.xpos == "WRB" and word.form.lower() in _SUBORDINATING_ADVERBS:
+            word = replace(word, upos="ADV", deprel="advmod" if word.deprel == "mark" else word.deprel)
+        if word.upos == "PUNCT" and word.xpos in ("?", "!"):
+            word = replace(word, xpos=".")
+        if word.deprel == "compound:prt" and word.xpos in ("RP", "IN"):
+            word = replace(word, upos="ADP", xpos="RP")
+        elif word.upos == "ADV" and word.xpos in ("RP", "IN"):
+            word = replace(word, xpos="RB")
+        if word.upos == "AUX" and word.xpos == "POS":
+            word = replace(word, xpos="VBZ")
+        words[place] = word
+    return replace(sentence, words=tuple(words))

@@ -23,7 +23,7 @@ from command_server.cries import (
     WARNINGS,
 )
 from command_server.orders_back import said_behind
-from command_server.spoken_words import Token, plain_text, tokens_of
+from command_server.spoken_words import plain_text, tokens_of
 from command_server.stop_words import Phrase, find_cry, phrase_at, phrases_by_first_word
 
 #: What opens with one of these says how things are: "it is too close".

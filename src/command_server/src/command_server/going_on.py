@@ -6,9 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Callable, Generic, List, Optional, Tuple, TypeVar
 
 from command_server.open_commands import OWN_STAGE, Ending, Outcome
-from command_server.spoken_words import plain_text, tokens_of
 from command_server.taking_back import asks_to_go_on
-from word_classes import word_class
+from word_classes import agreement
 
 Plan = TypeVar("Plan")
 
@@ -93,16 +92,8 @@ class GoingOn(Generic[Plan]):
         asked, self._asked = self._asked, ()
         if not asked or self._now() - self._asked_s > _ANSWER_S:
             return None
-        words = " ".join(token.word for token in tokens_of(plain_text(text)[1]) if token.word not in ",.")
-        is_yes = words in _AGREEMENTS
-        if not is_yes and words not in _REFUSALS:
+        is_yes = agreement(text)
+        if is_yes is None:
             return None
         self._stopped = []
         return tuple(one.plan for one in asked) if is_yes else ()
-
-
-def _plain(name: str) -> Tuple[str, ...]:
-    return tuple(" ".join(token.word for token in tokens_of(one)) for one in word_class(name))
-
-
-_AGREEMENTS, _REFUSALS = _plain("agreements"), _plain("refusals")

@@ -34,6 +34,7 @@ from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
 from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal
 from command_server.ros_going_on import StoppedPlans
+from command_server.ros_language_service import LanguageService
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
@@ -73,9 +74,9 @@ _Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPla
 class CommandServerNode:
     """Owns the commands.
 
-    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``. Publishes:
-    ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``command_server_started`` (latched),
-    ``text_taken``, and what a `Brake` does. Actions: ``command``.
+    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``, ``fleet_service``.
+    Publishes: ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``text_taken``,
+    ``command_server_started`` (latched), and what a `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -99,8 +100,7 @@ class CommandServerNode:
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
-
-        self._texts = TextsOut()
+        self._texts, self._language = TextsOut(), LanguageService()
         command_plan = HandOver("command_plan", CommandPlan)
         self._orders_due = OrdersDue(self._commands, command_plan, on_not_begun=self._conclude)
         self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
@@ -240,7 +240,7 @@ class CommandServerNode:
         elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             sentence = "Too many commands are waiting already."
             self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR", sentence=sentence)
-        elif not self._stopped_plans.takes(command):
+        elif not (self._stopped_plans.takes(command) or self._language.declines(command, self._answer_at_once)):
             self._commands.open(command)
             self._texts.add(command)
             self._replies.note(f"Heard {command.text!r}.")

@@ -112,6 +112,10 @@ def _slips() -> Mapping[str, Kind]:
 _SLIPS = _slips()
 
 
+def _is_of_amounts(word: str) -> bool:
+    return word in AMOUNTS or word[0].isdigit()
+
+
 class _Sentence:
     """A sentence in plain words, with "," for pauses."""
 
@@ -134,9 +138,17 @@ class _Sentence:
                     tuple(self._words[position:end]) == phrase
                     and self._may_begin(position, phrase)
                     and self._may_end(end, tail, phrase)
+                    and not (kind is Kind.PAUSE and self._corrects_an_amount(position, end))
                 ):
                     return kind, position, end
         return None
+
+    def _corrects_an_amount(self, position: int, end: int) -> bool:
+        """Whether nothing but another amount follows: "move forward one metre, no wait, two metres"."""
+        behind = [word for word in self._words[end:] if word not in _ADDRESSING]
+        before = self._words[:position]
+        has_amount = any(unit in LENGTHS and _is_of_amounts(word) for word, unit in zip(before, before[1:]))
+        return has_amount and behind[-1:] != [] and behind[-1] in LENGTHS and all(map(_is_of_amounts, behind[:-1]))
 
     def _find_fronts(self) -> Mapping[int, bool]:
         """Return the positions with only a name, fillers and introductions before them, and whether there is a name."""
@@ -261,7 +273,7 @@ class _Sentence:
             is_deed = words[position] == "before" and "".join(words[position + 1 : position + 2]).endswith("ing")
             return not is_deed and not phrase_at(words, position, _NO_PLACES)
         behind = position
-        while behind < len(words) and (words[behind] in AMOUNTS or words[behind][0].isdigit()):
+        while behind < len(words) and _is_of_amounts(words[behind]):
             behind += 1
         if position < behind < len(words) and words[behind] in LENGTHS:
             return True

@@ -144,18 +144,31 @@ PAUSE_AFTER_STOP_NS = 60_000_000
 Step = Tuple[CommandQueue[Job], Tuple[object, ...]]
 
 
-def pause_s(queue: CommandQueue[Job], *, now_ns: int) -> float:
-    """Return how long a command that begins now waits before its first goal, seconds: a goal that is sent right after a
-    stop would be braked with what the stop has ended.
+@dataclass(frozen=True)
+class AfterStop:
+    """What a command that begins right after a stop heeds: its goals would be braked with what the stop has ended.
+
+    Attributes:
+        pause_s: how long it waits before its first goal, seconds
+        stamp_ns: no goal of it is stamped earlier; the clock of a simulator may stand meanwhile
+    """
+
+    pause_s: float = 0.0
+    stamp_ns: int = 0
+
+
+def after_stop(queue: CommandQueue[Job], *, now_ns: int) -> AfterStop:
+    """Return what a command that begins now heeds.
 
     Args:
         queue: as it is
         now_ns: ROS time
     """
     if queue.stop_stamp_ns is None:
-        return 0.0
-    left_ns = queue.stop_stamp_ns + PAUSE_AFTER_STOP_NS - now_ns
-    return left_ns / 1e9 if 0 < left_ns <= PAUSE_AFTER_STOP_NS else 0.0
+        return AfterStop()
+    earliest_ns = queue.stop_stamp_ns + PAUSE_AFTER_STOP_NS
+    left_ns = earliest_ns - now_ns
+    return AfterStop(left_ns / 1e9, earliest_ns) if 0 < left_ns <= PAUSE_AFTER_STOP_NS else AfterStop()
 
 
 def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[Job]:

@@ -380,7 +380,7 @@ class ExecutorNode:
             patience=Patience(command_s=self._settings.longest_command_s, search_s=self._settings.longest_search_s),
             profiles=self._profiles,
             longest_wait_s=self._settings.longest_wait_s,
-            pause_s=command_queue.pause_s(self._commands, now_ns=rospy.Time.now().to_nsec()),
+            after_stop=command_queue.after_stop(self._commands, now_ns=rospy.Time.now().to_nsec()),
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_tried=lambda *tried: self._tried.publish(tried_frame(order.job.command, *tried)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),

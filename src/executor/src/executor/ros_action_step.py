@@ -57,6 +57,7 @@ class StepContext:
         quarantine: servers that are out of use
         patience: how long the command may go on
         suspension: whether this process has just been resumed
+        earliest_stamp_ns: no goal is stamped earlier, nanoseconds of ROS time
         begin: called with the frame of each step that starts; returns whether it may
         on_sent: called with the frame of each goal when it was sent
         on_end: called with the frame, the number of its node in the plan, and the goal that has ended
@@ -70,6 +71,7 @@ class StepContext:
     quarantine: Quarantine
     patience: Patience
     suspension: SuspensionWatch
+    earliest_stamp_ns: int
     begin: Callable[[FilledFrame], bool]
     on_sent: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
@@ -203,6 +205,7 @@ class ActionStep(smach.State):
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
             header_text=header_text(self._frame),
+            earliest_stamp_ns=self._context.earliest_stamp_ns,
             on_transition=lambda handle: self._hear(handle, inbox),
             on_feedback=lambda feedback: inbox.put(Feedback(bool(feedback.is_succeeding))),
         )

@@ -14,6 +14,7 @@ from arbitrator.rest_of_plan import Progress, Rest
 from arbitrator.scopes import Scope
 from arbitrator.state_machine import build_state_machine, plan_label
 from arbitrator.watching import Observation
+from executor.command_queue import AfterStop
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.patience import Patience
 from executor.quarantine import Quarantine
@@ -67,7 +68,7 @@ class CommandRun:
         patience: Patience,
         profiles: ServerProfiles,
         longest_wait_s: float,
-        pause_s: float,
+        after_stop: AfterStop,
         on_note: Callable[[str], None],
         on_tried: Callable[[FilledFrame, int, Goal, float], None],
         on_end: Callable[["CommandRun", RunResult], None],
@@ -87,7 +88,7 @@ class CommandRun:
             patience: how long the command may go on
             profiles: what the servers stated when they registered
             longest_wait_s: after which a wait for a condition fails, if it does not say a limit
-            pause_s: before it begins
+            after_stop: what it heeds right after a stop
             on_note: called from the thread of the run with a sentence for each step
             on_tried: called from the threads of the run with each frame that has ended, the number of its clause, its
                 goal, and how long it took, seconds
@@ -100,7 +101,7 @@ class CommandRun:
         self._on_note = on_note
         self._on_tried = on_tried
         self._longest_wait_s = longest_wait_s
-        self._pause_s = pause_s
+        self._pause_s = after_stop.pause_s
         self._watches = WatchContext(clients, running_goals, deadlines, profiles.longest_silence_s, on_note)
         self._on_end = on_end
         self._introspection = introspection
@@ -122,6 +123,7 @@ class CommandRun:
             quarantine=quarantine,
             patience=patience,
             suspension=suspension,
+            earliest_stamp_ns=after_stop.stamp_ns,
             begin=self._begin_step,
             on_sent=lambda frame: on_note(f"The server {frame.server} begins the frame {frame.name}."),
             on_end=self._end_step,

@@ -131,6 +131,11 @@ class FrameGraph:
         self._dead.discard(server)
         return ()
 
+    def knows(self, frame_name: str, server: str, profile: ServerProfile) -> bool:
+        """Whether a server is registered for a frame with this profile, and may be used: to register it again changes
+        nothing."""
+        return server not in self._dead and self._servers.get(frame_name, {}).get(server) == profile
+
     def _forget_dead(self) -> bool:
         """Remove the registrations of dead servers to make room; a server that comes back registers again."""
         count = len(self.registrations())

@@ -225,6 +225,9 @@ class FrameRegistrar:
             errors = (f"{profile.robot[:40]!r} is not the name of a robot: expected that of its namespace",)
         else:
             with self._lock:
+                if self._graph.knows(frame_name, server, profile):
+                    # Servers repeat themselves; what everybody has heard is not published to everybody again.
+                    return (), self._graph.remark(frame_name, server)
                 errors = self._graph.register(frame_name, server, profile)
         for error in errors:
             rospy.logerr("registration refused: %s", error)

@@ -311,6 +311,18 @@ class FrameRegistrarTest(unittest.TestCase):
         self.assertTrue(answer.success)
         self.assertEqual(list(answer.error), ["no file describes the frame 'movign' yet; did you mean 'moving'?"])
 
+    def test_registration_that_repeats_itself_is_published_to_nobody(self) -> None:
+        self.register("repeating", "steady")
+        heard: List[FrameServers] = []
+        subscriber = rospy.Subscriber("frame_servers", FrameServers, heard.append)
+        wait_until(lambda: heard, message="nothing is latched")
+        for _ in range(5):
+            self.register("repeating", "steady")
+        self.register("repeating", "other")
+        wait_until(lambda: any(each.callback_topic == "other" for each in heard[-1].callbacks), message="no change")
+        subscriber.unregister()
+        self.assertFalse(any(before == after for before, after in zip(heard, heard[1:])))
+
     def test_wrong_file_at_start_is_told_by_line_and_key_to_who_comes_late(self) -> None:
         late = rospy.wait_for_message("file_problems", FileProblems, timeout=60.0)
         problem = next(problem for problem in late.problems if problem.path.endswith("mistyped.yaml"))

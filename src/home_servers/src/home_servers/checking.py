@@ -9,12 +9,15 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from home_servers.body import CannotDo
 from home_servers.looking import ANYTHING, OPPOSITES, counted, described, say_list, sentence
-from home_servers.memory import PERSONS, Known, is_whole
+from home_servers.memory import PERSONS, Known, is_any, is_whole, wanted_names
 from home_servers.skills import HEARERS, Skills, argument
+from roboframenet_ros.spoken_text import join_with_or
 from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
 from word_classes import without_determiner
 
 _STATE, _PLACE = "condition_of_state", "condition_of_place"
+#: So many doors are named when it is open which one is meant, the nearest first.
+_MOST_NAMED = 4
 #: Actions that bring a state about: kind and value.
 _ACTIONS: Dict[str, Tuple[str, str]] = {
     "closed": ("close", ""),
@@ -137,11 +140,22 @@ def _wanted(statement: EmbeddedFrame) -> str:
 
 
 def _meant(skills: Skills, statement: EmbeddedFrame) -> List[Known]:
+    """Return the things that a statement is about.
+
+    Raises:
+        CannotDo: one of several doors is meant, and nobody said which
+    """
     theme = _theme(statement)
     # "No light is on" is said of all lights.
     is_denied = statement.is_negated and not theme.quantifier and theme.possessor is None
     is_of_all = theme.is_plural or is_whole(theme) or is_denied
-    return skills.find_all(replace(theme, is_plural=is_of_all), "door", "furniture", "thing")
+    found = skills.find_all(replace(theme, is_plural=is_of_all), "door", "furniture", "thing")
+    same = skills.memory.find(theme, "door", here=skills.body.place()) if found[0].sort == "door" else []
+    is_named = any(name.lower() in wanted_names(theme) for name in found[0].names)
+    if is_of_all or is_any(theme) or theme.referents or is_named or len(same) < 2:
+        return found
+    names = [one.the_name for one in same[:_MOST_NAMED]] + ["another one"] * (len(same) > _MOST_NAMED)
+    raise CannotDo(f"I do not know which door is meant: {join_with_or(names)}.")
 
 
 def _is_at_place(skills: Skills, statement: EmbeddedFrame) -> Tuple[bool, str]:

@@ -52,6 +52,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "rinsing": housework.treat("rinse", "object"),
         "scrubbing": housework.treat("scrub", "object"),
         "sweeping": housework.treat("sweep", "object"),
+        "tidying": housework.tidy,
         "washing_dishes": housework.treat("wash_dish", "object"),
         "wiping": housework.treat("wipe", "object"),
     },

@@ -9,6 +9,7 @@ from home_servers.checking import bring_all_about
 from home_servers.memory import Known
 from home_servers.places import RELATIONS
 from home_servers.skills import HERE, Skill, Skills, argument, said
+from roboframenet_ros.spoken_text import with_capital
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import word_class
 
@@ -63,11 +64,31 @@ def _goal_to_put_at(frame: FilledFrame) -> TypedArgument:
 
 
 def put(skills: Skills, frame: FilledFrame) -> None:
-    """Put things somewhere."""
+    """Put things somewhere; say so of what is there already. What was not seen yet may be where it shall be."""
     goal = _goal_to_put_at(frame)
-    for thing in things(skills, frame):
+    near = argument(frame, "source") if said(frame, "source") else None
+    likely = [] if goal.text.lower() in HERE else skills.memory.find(goal, "furniture", here=skills.body.place())[:1]
+    for thing in skills.find_all(argument(frame, "theme"), "thing", near=near, at_first=likely):
+        place = goal_of(skills, goal)
+        if _is_there_already(skills, thing, place, goal.relation):
+            now = skills.memory.get(thing.id) or thing
+            skills.answer(f"{with_capital(now.the_name_is)} {now.relation} {place.the_name} already.")
+            continue
         skills.take(thing)
-        skills.put(thing.id, goal_of(skills, goal), goal.relation)
+        skills.put(thing.id, place, goal.relation)
+
+
+def _is_there_already(skills: Skills, thing: Known, place: Known, relation: str) -> bool:
+    """Whether a thing is where it shall be put; the robot goes and looks before it says so."""
+
+    def is_there() -> bool:
+        now = skills.memory.get(thing.id)
+        return now is not None and now.holder == place.id and now.relation in RELATIONS[relation]
+
+    if not is_there():
+        return False
+    skills.look_in(place)
+    return is_there()
 
 
 def bring(skills: Skills, frame: FilledFrame) -> None:
@@ -107,9 +128,9 @@ def give(skills: Skills, frame: FilledFrame) -> None:
 def give_drink(skills: Skills, frame: FilledFrame) -> None:
     """Pour a drink into a glass, and bring it."""
     drink = skills.find(argument(frame, "drink"), "thing")
-    skills.take(drink)
-    cup = skills.find(TypedArgument(text="glass"), "thing")
-    skills.attempt("pour", theme=drink.id, goal=cup.id)
+    with skills.borrowed(drink):
+        cup = skills.find(TypedArgument(text="glass"), "thing")
+        skills.attempt("pour", theme=drink.id, goal=cup.id)
     skills.take(cup)
     skills.put(cup.id, skills.find(argument(frame, "recipient"), "person"), "to")
 
@@ -168,20 +189,19 @@ def portal(element: str, kind: str) -> Skill:
     """Return the skill that opens, closes, locks or unlocks what an element names."""
 
     def act(skills: Skills, frame: FilledFrame) -> None:
-        if said(frame, "key"):
-            skills.take(skills.find(argument(frame, "key"), "thing"))
         whole = argument(frame, "containing_object")
         words = argument(frame, element)
         if whole.text:
             # "The door of the cupboard" is opened with the cupboard; a room has a door of its own.
             named = TypedArgument(element, f"{words.lemma or words.text} of {whole.text}")
             words = named if skills.memory.find(named, "door", "furniture", "thing") else whole
-        found = skills.find_all(words, "door", "furniture", "thing")
-        if len(found) > 1 and kind in _STATES:
-            bring_all_about(skills, found, _STATES[kind])
-            return
-        for one in found:
-            skills.attempt(kind, theme=one.id)
+        with skills.borrowed(skills.find(argument(frame, "key"), "thing") if said(frame, "key") else None):
+            found = skills.find_all(words, "door", "furniture", "thing")
+            if len(found) > 1 and kind in _STATES:
+                bring_all_about(skills, found, _STATES[kind])
+                return
+            for one in found:
+                skills.attempt(kind, theme=one.id)
 
     return act
 

@@ -6,6 +6,7 @@ from home_servers.body import CannotDo
 from home_servers.handling import goal_of
 from home_servers.memory import Known
 from home_servers.skills import Skill, Skills, argument, said
+from roboframenet_ros.spoken_text import join_with_and
 from typed_arguments import FilledFrame, TypedArgument
 
 #: What a robot knows of tools and stations: the names of tools for each treatment, the best first.
@@ -50,13 +51,12 @@ def treat(treatment: str, element: str, tool_element: str = "instrument") -> Ski
         targets = targets_of(skills, argument(frame, element), treatment)
         if said(frame, "other_part"):
             targets += targets_of(skills, argument(frame, "other_part"), treatment)
-        tool = fetch_tool(skills, treatment, argument(frame, tool_element))
-        for target in targets:
-            if treatment == "mix" and said(frame, "container"):
-                _put_together(skills, target, argument(frame, "container"))
-            treat_one(skills, treatment, target, container=argument(frame, "container"), least_s=_duration_s(frame))
-        if tool is not None and treatment == "sweep":
-            skills.put_down(tool.id)
+        container = argument(frame, "container")
+        with skills.borrowed(find_tool(skills, treatment, argument(frame, tool_element))):
+            for target in targets:
+                if treatment == "mix" and container.text:
+                    _put_together(skills, target, container)
+                treat_one(skills, treatment, target, container=container, least_s=_duration_s(frame))
 
     return act
 
@@ -113,24 +113,17 @@ def _floors(skills: Skills, words: TypedArgument) -> List[Known]:
     return [here]
 
 
-def fetch_tool(skills: Skills, treatment: str, named: TypedArgument) -> Optional[Known]:
-    """Hold the tool that was named, or one that is good for it; None for bare hands."""
+def find_tool(skills: Skills, treatment: str, named: TypedArgument) -> Optional[Known]:
+    """Return the tool that was named, or one that is good for it, rather one that is held; None for bare hands."""
     if named.text:
-        tool = skills.find(named, "thing")
-        skills.take(tool)
-        return tool
+        return skills.find(named, "thing")
     names = TOOLS.get(treatment, ())
     held = skills.body.held()
     known = [one for name in names for one in skills.memory.find(TypedArgument(text=name), "thing") if one.relation]
-    for one in known:
-        if one.id in held:
-            return one
-    if not names:
-        return None
-    skills.free_hand()
-    tool = known[0] if known else _search_tool(skills, names)
-    skills.take(tool)
-    return tool
+    known.sort(key=lambda one: one.id not in held)
+    if known or not names:
+        return known[0] if known else None
+    return _search_tool(skills, names)
 
 
 #: Where tools are kept, as everybody knows.
@@ -221,18 +214,33 @@ def clean(skills: Skills, frame: FilledFrame) -> None:
     elif target.is_a("clothes"):
         treat("wash_cloth", "object")(skills, frame)
     elif target.sort == "furniture":
-        fetch_tool(skills, "wipe", argument(frame, "instrument"))
-        treat_one(skills, "wipe", target)
+        with skills.borrowed(find_tool(skills, "wipe", argument(frame, "instrument"))):
+            treat_one(skills, "wipe", target)
     else:
         raise CannotDo(f"I cannot clean {target.the_name}.")
+
+
+def tidy(skills: Skills, frame: FilledFrame) -> None:
+    """Look what lies about, and say that the robot does not know where it belongs.
+
+    Raises:
+        CannotDo: something lies about
+    """
+    place = skills.find(argument(frame, "object"), "room", "furniture")
+    skills.look_in(place)
+    lying = [one.the_name for one in skills.memory.all("thing") if one.holder == place.id and one.relation == "on"]
+    if lying:
+        names = join_with_and(dict.fromkeys(lying))
+        raise CannotDo(f"On {place.the_name} I see {names}. I do not know where that belongs: tell me where to put it.")
+    skills.answer(f"Nothing lies on {place.the_name}.")
 
 
 def pour(skills: Skills, frame: FilledFrame) -> None:
     """Pour a liquid from its bottle into something."""
     fluid = skills.find(argument(frame, "fluid"), "thing")
-    skills.take(fluid)
-    vessel = skills.find(argument(frame, "goal"), "thing", "furniture")
-    skills.attempt("pour", theme=fluid.id, goal=vessel.id)
+    with skills.borrowed(fluid):
+        vessel = skills.find(argument(frame, "goal"), "thing", "furniture")
+        skills.attempt("pour", theme=fluid.id, goal=vessel.id)
 
 
 def hang(skills: Skills, frame: FilledFrame) -> None:

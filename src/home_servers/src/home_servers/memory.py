@@ -102,6 +102,11 @@ class Memory:
                     told = self._named.get(one.id, ())
                     self._objects[one.id] = replace(one, names=tuple(dict.fromkeys((*one.names, *told))))
 
+    def begin_anew(self) -> None:
+        """The clock began anew: whatever is perceived from now on is newer than what is known."""
+        with self._lock:
+            self._objects = {name: replace(one, stamp_s=-math.inf) for name, one in self._objects.items()}
+
     def forget_place(self, ident: str) -> None:
         """A thing is no longer where it was thought to be."""
         with self._lock:
@@ -168,6 +173,7 @@ class Memory:
 _WHOLE = word_class("determiners_of_all")
 _INDEFINITE = word_class("determiners_of_any")
 _PRONOUNS = word_class("indefinite_pronouns")
+_DETERMINERS = word_class("determiners_and_possessives")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
 
 
@@ -187,7 +193,7 @@ def _name_words(one: Known) -> Set[str]:
 
 def wanted_names(argument: TypedArgument) -> List[str]:
     """Return the names that an argument may mean, the most exact first."""
-    text = without_determiner(" ".join(argument.text.split()).strip(" .,!?")).lower()
+    text = without_determiner(" ".join(argument.text.split()).strip(" .,!?"), _DETERMINERS).lower()
     compounds = " ".join(m.word for m in argument.modifiers if m.kind in ("compound", "name"))
     head, lemma = argument.head.lower(), argument.lemma.lower()
     names = [text]

@@ -242,11 +242,15 @@ class RosBody:
             return
         with self._lock:
             rooms, furniture = self._rooms, self._furniture
+        me = [one for one in message.objects if one.id == _ROBOT]
+        with self._lock:
+            is_anew = bool(me) and rospy.Time() < me[0].stamp < self._seen[1]
+        if is_anew:
+            self.memory.begin_anew()
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]
         self.memory.update(known)
         for ident in message.missing:
             self.memory.forget_place(ident)
-        me = [one for one in message.objects if one.id == _ROBOT]
         if me:
             with self._lock:
                 self._held = [one.id for one in known if one.relation == "held" and one.holder == _ROBOT]

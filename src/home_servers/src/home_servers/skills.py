@@ -1,21 +1,16 @@
 """What a robot in a home can do with things, persons and places that were named in words."""
 
 import math
-from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
+from typing import Callable, Iterator, List, Optional, Sequence
 
+from home_servers.acting import Acting
 from home_servers.body import Body, CannotDo
 from home_servers.memory import Known, is_any, is_whole
-from home_servers.places import HOLDING, RELATIONS, Place
-from roboframenet_sim.home_actions import Action, Failure
+from home_servers.places import HOLDING, Place
+from semantic_frames.semantic_type import with_parents
 from typed_arguments import FilledFrame, TypedArgument
-from word_classes import word_class
+from word_classes import without_determiner, word_class
 
-#: How often an action is tried again after a failure of one kind was put right.
-_MOST_TRIES = 3
-#: To put an action right, others are done, and others to put these right; so deep at most.
-_DEEPEST = 8
-#: A blocked door may be free after this time.
-_BLOCKED_S = 25.0
 #: Words for whoever speaks, and for the robot.
 SPEAKERS = frozenset("me us i we myself".split())
 #: Pronouns for whom the robot has met last.
@@ -27,11 +22,11 @@ _COMPANY_S = 300.0
 POSTURES = ("sitting", "standing", "walking")
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
-#: Hand height above which the lift is raised.
-_LIFT_UP_M = 0.3
+#: FrameNet's semantic type of what can be seen somewhere.
+_TOUCHABLE = "Physical_entity"
 
 
-class Skills:
+class Skills(Acting):
     """Skills over a body. Each ends well, or raises :class:`CannotDo` with the reason.
 
     Args:
@@ -40,125 +35,8 @@ class Skills:
     """
 
     def __init__(self, body: Body, *, speaker: str = "") -> None:
-        self.body = body
-        self.memory = body.memory
+        super().__init__(body)
         self._speaker = speaker
-        self.avoided = ""  # Ids of rooms and doors that no way of this goal leads through, with blanks between.
-        self._opens_doors = True
-        self._opened: List[str] = []
-        self._depth = 0
-        self.answers: List[str] = []
-
-    # Actions, with what puts their failures right.
-
-    def attempt(self, kind: str, **values: object) -> None:
-        """Do an action; go nearer, open, lift, switch on and try again as its failures ask for.
-
-        Raises:
-            CannotDo: with the sentence of the failure that remains
-        """
-        if self._depth > _DEEPEST:
-            raise CannotDo("I do not get any further.")
-        self._depth += 1
-        try:
-            self._attempt(Action(kind, avoided=self.avoided if kind == "go" else "", **values))  # type: ignore[arg-type]
-        finally:
-            self._depth -= 1
-
-    def _attempt(self, action: Action) -> None:
-        seen: Dict[str, int] = {}
-        while True:
-            failure = self.body.do(action)
-            if failure is None:
-                return
-            seen[failure.code] = seen.get(failure.code, 0) + 1
-            if seen[failure.code] > _MOST_TRIES or not self._put_right(action, failure):
-                raise CannotDo(failure.sentence)
-
-    def _put_right(self, action: Action, failure: Failure) -> bool:
-        if failure.code == "too_far" and failure.entity and action.kind != "go":
-            self.go(failure.entity)
-        elif failure.code == "closed" and failure.entity and failure.entity != action.theme:
-            return self._open_way(failure.entity)
-        elif failure.code == "too_high":
-            if action.kind == "lift":
-                return False
-            self.attempt("lift", amount=_LIFT_UP_M)
-        elif failure.code == "too_low":
-            self.attempt("lift", amount=0.0)
-        elif failure.code == "slipped":
-            if action.kind != "grasp":
-                self.attempt("grasp", theme=action.theme)
-        elif failure.code == "blocked":
-            self.attempt("wait", amount=_BLOCKED_S)
-        elif failure.code == "off" and failure.entity:
-            self.attempt("switch", theme=failure.entity, value="on")
-        else:
-            return False
-        return True
-
-    def _open_way(self, ident: str) -> bool:
-        known = self.memory.get(ident)
-        is_door = known is not None and known.sort == "door"
-        if is_door and not self._opens_doors:
-            return False
-        self.attempt("open", theme=ident)
-        if known is not None and is_door:
-            here = self.body.room()
-            self.memory.opened[ident] = next((room for room in known.attributes if room != here), "")
-        else:
-            self._opened.append(ident)
-        return True
-
-    def tidy(self) -> None:
-        """Close the furniture that was opened on the way; where that is not possible, it stays open."""
-        while self._opened:
-            try:
-                self.attempt("close", theme=self._opened.pop())
-            except CannotDo:
-                continue
-
-    def go(self, target: str, *, reach_m: float = math.nan) -> None:
-        """Drive to an entity; open doors on the way, and close them behind."""
-        known = self.memory.get(target)
-        # The other side of a door may be where the robot shall not go.
-        if self.memory.opened and not self.avoided and known is not None and self.body.room() != known.room:
-            self._close_behind(self.body.room())
-        self.attempt("go", goal=target, amount=reach_m)
-
-    def _close_behind(self, room: str) -> None:
-        """Leave a room through a door that the robot has opened, and close it; what cannot be closed stays open."""
-        for ident in [door for door, behind in self.memory.opened.items() if behind == room]:
-            del self.memory.opened[ident]
-            door = self.memory.get(ident)
-            outside = next((one for one in door.attributes if one != room), "") if door is not None else ""
-            if not outside:
-                continue
-            try:
-                self.attempt("go", goal=outside)
-                self.attempt("close", theme=ident)
-            except CannotDo:
-                continue
-
-    def wait(self, seconds: float) -> None:
-        """Stay."""
-        self.attempt("wait", amount=seconds)
-
-    def say(self, text: str) -> List[Tuple[str, str]]:
-        """Say something, and return what persons answer."""
-        return self.body.say(text)
-
-    def answer(self, text: str, *, reply: str = "") -> None:
-        """Say what was found out; the reply to the command has it too.
-
-        Args:
-            text: what is said
-            reply: what the reply says; empty for the same
-        """
-        self.body.say(text)
-        self.answers.append(reply or text)
-
-    # Finding what words mean.
 
     def find(self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None) -> Known:
         """Return what an argument means; look for it when it has not been seen.
@@ -173,9 +51,22 @@ class Skills:
         return self.find_all(argument, *sorts, near=near)[0]
 
     def find_all(
-        self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None, least: int = 1
+        self,
+        argument: TypedArgument,
+        *sorts: str,
+        near: Optional[TypedArgument] = None,
+        least: int = 1,
+        at_first: Sequence[Known] = (),
     ) -> List[Known]:
-        """Return all that an argument means, as many as it counts; see :meth:`find`."""
+        """Return all that an argument means, as many as it counts; see :meth:`find`.
+
+        Args:
+            argument: words and their meaning
+            sorts: see :meth:`find`
+            near: see :meth:`find`
+            least: so many are needed
+            at_first: where it may be; searched before the rest of the home
+        """
         if argument.text.lower() in SPEAKERS or argument.head.lower() in SPEAKERS:
             return [self.speaker()]
         met = self.memory.get(self.memory.met[0])
@@ -191,7 +82,7 @@ class Skills:
             found = self._here_first(argument, sorts, found)
         need = max(least, argument.count or 1)
         if len(found) < need:
-            self._seek(argument, sorts, place, need)
+            self._seek(argument, sorts, place, need, at_first)
             found = self._matching(argument, sorts, place)
         if not found:
             raise CannotDo(self._unseen(argument, place))
@@ -247,10 +138,23 @@ class Skills:
         """Whether something is in a room, or on, in, under, ... something; a person is at what is near."""
         return Place(place, relation).has(one, self.memory)
 
-    def _seek(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Place], need: int) -> None:
-        """Look where the thing is said to be, or else in every room, until it is seen."""
+    def _seek(
+        self,
+        argument: TypedArgument,
+        sorts: Sequence[str],
+        place: Optional[Place],
+        need: int,
+        at_first: Sequence[Known],
+    ) -> None:
+        """Look where the thing is said to be, or else in every room, until it is seen.
+
+        Raises:
+            CannotDo: it is nothing that can be seen anywhere: "the speed"
+        """
         if sorts and not {"thing", "person"}.intersection(sorts):
             return
+        if argument.semantic_type and _TOUCHABLE not in with_parents(argument.semantic_type):
+            raise CannotDo(f"I know of no {without_determiner(argument.text)}, and cannot look for it.")
         told = self.memory.get(self.memory.told_place(argument))
         inner = self._inner_place(argument)
         targets = [one.known for one in (place, inner) if one is not None] + ([told] if told is not None else [])
@@ -260,6 +164,9 @@ class Skills:
 
         if targets:
             self._look_in_each(targets, is_seen)
+            return
+        self._look_in_each(at_first, is_seen)
+        if is_seen():
             return
         # First where no door must be opened, then behind doors, then in furniture.
         self._opens_doors = False
@@ -290,15 +197,6 @@ class Skills:
                 break
             self.tidy()
         return left
-
-    def look_in(self, place: Known) -> None:
-        """Go to a room or furniture, open what is closed, and look."""
-        self.go(place.id)
-        if place.sort == "furniture" and "closed" in (self.memory.get(place.id) or place).states:
-            self._open_way(place.id)
-        if place.sort == "furniture":
-            self.attempt("look", theme=place.id)
-        self.attempt("look")
 
     def _unseen(self, argument: TypedArgument, place: Optional[Place]) -> str:
         words = argument.text or argument.head
@@ -369,72 +267,6 @@ class Skills:
         is_near = math.hypot(person.x_m - here[0], person.y_m - here[1]) <= _COMPANY_M
         if not is_near or person.room != self.body.room():
             self.go(person.id)
-
-    # Handling things.
-
-    def take(self, thing: Known) -> None:
-        """Hold a thing."""
-        if thing.id in self.body.held():
-            return
-        if thing.sort != "thing":
-            raise CannotDo(f"I cannot take {thing.the_name}.")
-        if thing.relation == "held" and thing.holder:
-            self.go(thing.holder)
-            self.attempt("receive", theme=thing.id)
-            return
-        try:
-            self.attempt("grasp", theme=thing.id)
-        except CannotDo:
-            self.memory.forget_place(thing.id)
-            self.attempt("look")
-            again = self.memory.get(thing.id)
-            if again is None or not again.relation or again.relation == "held":
-                raise
-            self.attempt("grasp", theme=thing.id)
-        self.attempt("lift", amount=0.0)
-
-    def free_hand(self) -> None:
-        """Put down one thing when both hands are full."""
-        held = list(self.body.held())
-        if len(held) >= 2:
-            self.put_down(held[0])
-
-    def put(self, thing: str, place: Known, relation: str) -> None:
-        """Put a held thing on, in, under, beside a place; "to" and "at" are on or in, whatever goes.
-
-        Raises:
-            CannotDo: the relation is none of these
-        """
-        relations = RELATIONS.get(relation, ())
-        if not relations or (place.sort == "room" and len(relations) == 1 and relations[0] not in ("on", "in")):
-            raise CannotDo(f"I cannot put anything {relation.replace('_', ' ')} {place.the_name}.")
-        if place.sort == "person" and ("on" in relations or "in" in relations):
-            self.go(place.id)
-            self.attempt("give", theme=thing, goal=place.id)
-            return
-        if place.sort == "room":
-            self.go(place.id)
-            self.attempt("put", theme=thing, goal=place.id, relation="on")
-            return
-        for index, one in enumerate(relations):
-            try:
-                self.go(place.id)
-                self.attempt("put", theme=thing, goal=place.id, relation=one)
-                return
-            except CannotDo:
-                if index == len(relations) - 1:
-                    raise
-
-    def put_down(self, thing: str) -> None:
-        """Put a held thing on the floor."""
-        here = self.room_here()
-        if here is None:
-            raise CannotDo("I do not know where I am.")
-        self.attempt("put", theme=thing, goal=here.id, relation="on")
-
-    def room_here(self) -> Optional[Known]:
-        """Return the room where the robot is."""
-        return self.memory.get(self.body.room())
 
 
 Skill = Callable[[Skills, FilledFrame], None]

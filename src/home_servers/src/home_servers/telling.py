@@ -15,6 +15,7 @@ from home_servers.skills import POSTURES, Skills
 from referring_expressions.describing import counted_noun
 from roboframenet_ros.spoken_text import join_with_and
 from typed_arguments import EmbeddedFrame, TypedArgument
+from word_classes import without_determiner
 
 _FACTS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "facts.yaml")
 
@@ -49,6 +50,8 @@ def told(skills: Skills, message: TypedArgument) -> str:
     for frame in said:
         if frame.frame_name == "question_of_number":
             return _number(skills, frame)
+        if frame.frame_name == "question_of_being_there" and _element(frame, "location").text:
+            return _whether_there(skills, frame)
         if frame.frame_name == "question_of_who_is_there":
             return _who(skills, frame)
         if frame.frame_name == "question_of_place":
@@ -84,6 +87,16 @@ def _number(skills: Skills, frame: EmbeddedFrame) -> str:
         found = [one for one in found if state in one.states]
     where = f" {place.words}" if place.text else ""
     return f"there {'is' if len(found) == 1 else 'are'} {len(found)} {counted_noun(theme, len(found))}{where}"
+
+
+def _whether_there(skills: Skills, frame: EmbeddedFrame) -> str:
+    """Go there, look, and say whether something is there."""
+    theme, place = _element(frame, "theme"), _element(frame, "location")
+    found = counted(skills, theme, place)
+    if found:
+        names = join_with_and(sorted({one.the_name for one in found}))
+        return f"{names} {'are' if found[1:] or found[0].is_plural else 'is'} {place.words}"
+    return f"there is no {without_determiner(theme.text)} {place.words}"
 
 
 def _who(skills: Skills, frame: EmbeddedFrame) -> str:

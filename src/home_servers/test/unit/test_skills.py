@@ -13,6 +13,7 @@ from home_servers.skills import Skills
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
+from roboframenet_sim.home_truth import truth_of
 from typed_arguments import FilledFrame, Modifier, TypedArgument
 
 HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
@@ -170,3 +171,37 @@ def test_what_cannot_be_put_so_is_not_even_taken():
     with pytest.raises(CannotDo, match=r"^I cannot put anything between the sofa and the table\.$"):
         put(skills, frame)
     assert not body.held()
+
+
+def test_a_tool_goes_back_where_it_was_also_when_the_task_fails():
+    home, body, skills = make()
+    knife = skills.find(phrase("the knife"), "thing")
+    skills.tidy()
+    with pytest.raises(CannotDo, match=r"^The bread is gone\.$"), skills.borrowed(knife):
+        assert body.held() == ("knife",)
+        skills.tidy()
+        raise CannotDo("The bread is gone.")
+    skills.tidy()
+    assert truth_of(home.plan, home.state)["knife.place"] == "in drawer"
+    assert not home.state.is_("drawer", "is_open")
+
+
+def test_what_somebody_had_it_take_stays_in_the_hand():
+    _, body, skills = make()
+    knife = skills.find(phrase("the knife"), "thing")
+    for name in ("the newspaper", "the vase"):
+        skills.take(skills.find(phrase(name), "thing"))
+    with skills.borrowed(skills.memory.get("vase")):
+        pass
+    full = "My hands are full: I hold the newspaper and the vase. I need a hand for the knife."
+    with pytest.raises(CannotDo, match=f"^{full}$"), skills.borrowed(knife):
+        pass
+    assert set(body.held()) == {"newspaper", "vase"}
+
+
+def test_a_clock_that_begins_anew_makes_nothing_old():
+    memory = Memory()
+    memory.update([Known("mug", "thing", ("mug",), relation="on", holder="table", stamp_s=500.0)])
+    memory.begin_anew()
+    memory.update([Known("mug", "thing", ("mug",), relation="on", holder="desk", stamp_s=1.0)])
+    assert memory.get("mug").holder == "desk"

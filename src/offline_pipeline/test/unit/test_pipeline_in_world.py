@@ -127,9 +127,9 @@ def test_a_world_that_knows_nothing_changes_nothing(pipeline: Pipeline) -> None:
         (
             UnknownPolicy.ASK,
             "CONFIRM",
-            'I have not seen a vase. Shall I really do this: "grasp the vase"? Say yes or no.',
+            'I know of no vase. Shall I really do this: "grasp the vase"? Say yes or no.',
         ),
-        (UnknownPolicy.REFUSE, "UNKNOWN_THING", "I have not seen a vase."),
+        (UnknownPolicy.REFUSE, "UNKNOWN_THING", "I know of no vase."),
     ],
 )
 def test_a_frame_says_what_happens_with_an_unknown_thing(

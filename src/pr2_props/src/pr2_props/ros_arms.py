@@ -13,6 +13,7 @@ from sensor_msgs.msg import JointState
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from pr2_props.props import JOINTS, RETURN_S, Arm, JointLimit, Pose, Props, check, joint_names
+from roboframenet_ros.ros_waiting import wait_for_action_server
 
 #: Period of checks of running trajectories, seconds.
 POLL_S = 0.05
@@ -118,7 +119,7 @@ class Arms:
         except ValueError as error:
             raise ArmError(str(error)) from error
         client = self._clients[arm]
-        if not client.wait_for_server(rospy.Duration(self._server_timeout_s)):
+        if not wait_for_action_server(client, self._server_timeout_s):
             raise ArmError(f"the controller of the {arm.value} arm is not there (waited {self._server_timeout_s:g} s)")
 
         def on_transition(handle: actionlib.ClientGoalHandle) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Callable, Dict, List, Sequence
 
 from question_answering.answers_about_deeds import ABOUT_DEEDS
-from question_answering.answers_about_holders import ABOUT_HOLDERS
+from question_answering.answers_about_holders import ABOUT_HOLDERS, what_is_held
 from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
@@ -24,6 +24,7 @@ from question_answering.wording import (
     plural,
     reported,
     verb_of,
+    when_known,
     with_attributes,
 )
 from referring_expressions import fitting, unknown_of
@@ -39,18 +40,22 @@ from referring_expressions.describing import (
 from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative, most_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import spoken
-from typed_arguments import Modifier, TypedArgument
+from typed_arguments import Modifier, Source, TypedArgument
 from word_classes import word_class
 from world_model import Sort, World, WorldObject
-from world_model.world_object import ROBOT_ID
+from world_model.world_object import FILE, ROBOT_ID
 
 #: The frame of whoever says who they are.
 BEING_NAMED = "being_named"
 _COLOURS = word_class("colours")
+#: Questions whose answers about one thing say themselves when it was learned.
+_DATED = frozenset(["question_of_place", "question_of_state"])
 
 
 def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnowledge) -> str:
     """Return the answer to a question, as sentences for a person.
+
+    What an earlier run of the robot knew is told with the time at which it was learned.
 
     Args:
         frame_name: of a question
@@ -60,9 +65,23 @@ def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnow
         KeyError: there is no such question
     """
     mine = next((one for one in arguments if is_of_unknown_speaker(one, known.situation)), None)
-    if mine is not None and fitting(mine, known.situation):
+    if mine is not None and any(known.world.owners(one) for one in fitting(mine, known.situation)):
         return _of_somebody(mine, known)
-    return ANSWERS[frame_name]({argument.name: argument for argument in arguments}, known)
+    named = {argument.name: argument for argument in arguments}
+    ever, now = (ANSWERS[frame_name](named, one) for one in (known, known.of_this_run))
+    if ever == now:
+        return now
+    about = _concerned(named, known)
+    if frame_name in _DATED and len(found_of(named["theme"], known)) == 1:
+        return ever
+    return f"{now} As of {when_known(about, known)}: {ever}"
+
+
+def _concerned(arguments: Arguments, known: RobotKnowledge) -> Sequence[WorldObject]:
+    """Return what a question is about, and what is on it, in it, or held by it."""
+    about = [one for argument in arguments.values() for one in found_of(argument, known)]
+    there = (known.world.at(relation, about) for relation in ("in", "on", "held_by"))
+    return [*about, *known.situation.objects(sorted(frozenset().union(*there)))]
 
 
 def _of_somebody(mine: TypedArgument, known: RobotKnowledge) -> str:
@@ -120,9 +139,13 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
         return _own_place(arguments, known)
     placed = [(one, place_of(one, known.world)) for one in found]
     if not any(place for _, place in placed):
+        if all(one.source == FILE and one.sort is Sort.PERSON for one in found):
+            return f"I have not seen {as_said(theme)} yet."
         return f"I do not know where {as_said(theme)} {verb_of(found, theme.text)}."
     if len(found) == 1:
         called = name_for(theme, found[0])
+        if found[0].place_of_before_s:
+            return f"I last saw {called} {when_known(found, known)}, {placed[0][1]}."
         where = f"{verb_of(found, called)} {placed[0][1]}{reported(found[0])}"
         if is_only_of_the_kind(theme, found[0]):
             return f"I know of no {bare_noun(theme)} but {called}, which {where}."
@@ -186,6 +209,9 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     if "alternative" in arguments:
         return _place(arguments, known)
+    if "location" not in arguments and (is_definite(theme) or theme.source is Source.INFERRED):
+        # "Do you have it?"
+        return what_is_held({"theme": theme}, known)
     candidates = found_of(theme, known, is_wide=True)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
     if "location" in arguments and not is_known_place(arguments["location"], known):

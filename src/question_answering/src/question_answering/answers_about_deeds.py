@@ -30,9 +30,33 @@ def reason(arguments: Arguments, known: RobotKnowledge) -> str:
     if about is None:
         return "I have not done anything yet."
     if deed is None and about.outcome is Outcome.DONE:
-        # "Why did you stop?", of what has come to its end.
         return f'I carried out "{about.text}", because you asked me to.{_what_else(about)}'
     return _why(about, known.deeds)
+
+
+def stopping(_: Arguments, known: RobotKnowledge) -> str:
+    """Say who stopped the robot last, in what, and what it has done since; or that nobody did."""
+    if known.doing and not _is_last_stopped(known.deeds):
+        return f'I have not stopped: I am carrying out "{known.doing}".'
+    last, place = _last_ended(known.deeds), _place_of_last_stop(known.deeds)
+    if place is None and last is None:
+        return "I have not done anything yet."
+    if place is None and last is not None:
+        if last.outcome is Outcome.DONE:
+            return f'Nobody stopped me: I carried out "{last.text}" to its end.{_what_else(last)}'
+        return _why(last, known.deeds)
+    assert place is not None
+    # What a stop ends may get its reply before it or after it.
+    around = [*known.deeds[max(0, place - 1) : place], *known.deeds[place + 1 : place + 2]]
+    ended = next((one for one in around if one.outcome is Outcome.SUPERSEDED and not one.is_stop), None)
+    doing = f'I was carrying out "{ended.text}", and then you' if ended is not None else "You"
+    since = [one for one in known.deeds[place + 1 :] if one is not ended]
+    done = f' Since then, I have carried out "{since[-1].text}".' if since and since[-1].outcome is Outcome.DONE else ""
+    return f'{doing} said "{known.deeds[place].text}".{done}'
+
+
+def _place_of_last_stop(found: Sequence[Deed]) -> Optional[int]:
+    return next((place for place in reversed(range(len(found))) if found[place].is_stop), None)
 
 
 def _what_else(deed: Deed) -> str:
@@ -111,6 +135,7 @@ def _stem(word: str) -> str:
 
 ABOUT_DEEDS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_reason": reason,
+    "question_of_stopping": stopping,
     "question_of_next_step": next_step,
     "question_of_deeds": deeds,
 }

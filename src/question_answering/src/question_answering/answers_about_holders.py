@@ -3,7 +3,16 @@
 from typing import Callable, Dict, FrozenSet
 
 from question_answering.robot_knowledge import RobotKnowledge
-from question_answering.wording import MOST_NAMED, Arguments, Objects, found_of, full_name, indefinite, name_for
+from question_answering.wording import (
+    MOST_NAMED,
+    Arguments,
+    Objects,
+    found_of,
+    full_name,
+    indefinite,
+    name_for,
+    verb_of,
+)
 from referring_expressions import unknown_of
 from referring_expressions.describing import name_of, place_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
@@ -24,7 +33,7 @@ def what_is_held(arguments: Arguments, known: RobotKnowledge) -> str:
 
 
 def _whether_held(theme: TypedArgument, holders: Objects, known: RobotKnowledge) -> str:
-    things = found_of(theme, known, is_wide=True)
+    things = found_of(theme, known, is_wide=not theme.referents)
     if not things:
         return unknown_of(theme)
     ids = {one.id for one in things}
@@ -32,10 +41,12 @@ def _whether_held(theme: TypedArgument, holders: Objects, known: RobotKnowledge)
         return " ".join(["Yes.", *(_of_holder(one, known) for one in holders)])
     if any(one.id in ids for holder in holders for one in _owned(holder, known)):
         return " ".join(["Yes.", *(_of_owner(one, known) for one in holders)])
-    placed = [
-        (name_for(theme, one) if len(things) == 1 else full_name(one), place_of(one, known.world)) for one in things
+    named = [(name_for(theme, one) if len(things) == 1 else full_name(one), one) for one in things]
+    told = [
+        f"{name} {verb_of([one], name)} {place_of(one, known.world)}"
+        for name, one in named[:MOST_NAMED]
+        if place_of(one, known.world)
     ]
-    told = [f"{name} is {place}" for name, place in placed[:MOST_NAMED] if place]
     holds = " ".join(_of_holder(one, known) for one in holders)
     return f"No, as far as I know: {join_with_and(told)}." if told else holds
 

@@ -14,9 +14,10 @@ from question_answering.wording import (
     is_known_place,
     name_for,
     verb_of,
+    when_known,
 )
 from referring_expressions import unknown_of
-from referring_expressions.describing import bare_noun, place_of
+from referring_expressions.describing import bare_noun, is_plural_noun, place_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from typed_arguments import TypedArgument
 from word_classes import word_class
@@ -34,7 +35,8 @@ def state(arguments: Arguments, known: RobotKnowledge) -> str:
     theme, meant = arguments["theme"], _meant(arguments)
     everything = found_of(theme, known)
     if not everything:
-        return unknown_of(theme)
+        verb = "are" if is_plural_noun(theme.lemma) or theme.is_plural else "is"
+        return f"I do not know whether {definite(theme)} {verb} {meant}: {unknown_of(theme)}"
     found = at_location(arguments, everything, known)
     if not found:
         return f"I know of no {bare_noun(theme)} {arguments['location'].words}."
@@ -47,6 +49,9 @@ def state(arguments: Arguments, known: RobotKnowledge) -> str:
     name = name_for(theme, found[0]) if len(found) == 1 else definite(theme)
     if verdict is None:
         return f"I do not know whether {name} {_verb(theme, found, name)} {meant}."
+    if len(found) == 1 and found[0].states_of_before_s and actual[found[0].id] in found[0].states:
+        was = "was" if _verb(theme, found, name) == "is" else "were"
+        return f"When I last knew, {when_known(found, known)}, {name} {was} {actual[found[0].id]}."
     said = f"{name} {_verb(theme, found, name)} {actual[found[0].id]}."
     return with_capital(said) if is_choice else f"{'Yes' if verdict else 'No'}, {said}"
 

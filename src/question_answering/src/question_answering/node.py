@@ -52,6 +52,7 @@ class Settings(Parameters):
     Attributes:
         name: of the robot
         timeout_s: for a server to answer a question
+        speaker: id of the person who speaks until the topic says another; empty: nobody known
 
     Raises:
         ParameterError: a value is not allowed
@@ -59,6 +60,7 @@ class Settings(Parameters):
 
     name: str = parameter("Robo", may_be_empty=False)
     timeout_s: float = parameter(5.0, least=0.1, most=60.0)
+    speaker: str = parameter("")
 
 
 class QuestionAnswering:
@@ -91,7 +93,7 @@ class QuestionAnswering:
         self._served: FrozenSet[str] = frozenset()
         self._status = CommandStatus()
         self._said: Deque[Command] = deque(maxlen=2)
-        self._speaker = ""
+        self._speaker = settings.speaker
         self._speakers = rospy.Publisher("speaker", String, queue_size=5, latch=True)
         self._updates = rospy.Publisher("world_updates", WorldUpdate, queue_size=5)
         self._history = History()
@@ -130,7 +132,7 @@ class QuestionAnswering:
 
     def _on_speaker(self, message: String) -> None:
         with self._lock:
-            self._speaker = message.data
+            self._speaker = message.data or self._settings.speaker
 
     def _on_servers(self, message: FrameServers) -> None:
         with self._lock:

@@ -1,7 +1,7 @@
 """What the robot knows of itself: its abilities, what it does, and what was said to it."""
 
 import enum
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Dict, FrozenSet, List, Mapping, Sequence, Tuple
@@ -69,6 +69,12 @@ class RobotKnowledge:
     deeds: Tuple[Deed, ...] = ()
     next_steps: Tuple[str, ...] = ()
     speaker: str = ""
+
+    @property
+    def of_this_run(self) -> "RobotKnowledge":
+        """The same without what earlier runs knew of places and states."""
+        world = self.world.of_this_run
+        return self if world is self.world else replace(self, world=world)
 
     @property
     def situation(self) -> Situation:

@@ -1,5 +1,6 @@
 """How answers speak of the objects that a question is about, and which objects these are."""
 
+from datetime import datetime
 from typing import Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from question_answering.robot_knowledge import RobotKnowledge
@@ -15,7 +16,7 @@ from referring_expressions.describing import (
 )
 from referring_expressions.fitting import at_place
 from semantic_types import spoken
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 from world_model import Sort, WorldObject
 
@@ -41,13 +42,37 @@ def full_name(one: WorldObject) -> str:
 
 
 def found_of(theme: Optional[TypedArgument], known: RobotKnowledge, *, is_wide: bool = False) -> Objects:
-    """Return what a phrase refers to: what the framer found, if it searched this world."""
+    """Return what a phrase refers to: what the framer found, where that is still known.
+
+    What was meant stays what is meant: the apple "on the table" that somebody has eaten since is that apple.
+    """
     if theme is None:
         return ()
     situation = known.situation
-    if theme.referents and theme.world_version == known.world.version and not is_wide:
-        return situation.objects(theme.referents)
-    return fitting(theme, situation, is_wide=is_wide)
+    meant = () if is_wide else situation.objects(theme.referents)
+    return meant or fitting(theme, situation, is_wide=is_wide)
+
+
+def when_known(objects: Sequence[WorldObject], known: RobotKnowledge) -> str:
+    """Return when an earlier run learned something of some objects, or else of any: "yesterday at 14:05"."""
+    times_s = _times_of_before(objects) or _times_of_before(known.world.objects)
+    return day_and_time(datetime.fromtimestamp(max(times_s, default=0.0)), known.now)
+
+
+def _times_of_before(objects: Sequence[WorldObject]) -> List[float]:
+    return [time_s for one in objects for time_s in (one.place_of_before_s, one.states_of_before_s) if time_s]
+
+
+def day_and_time(then: datetime, now: datetime) -> str:
+    """Return a time that is over, as people tell it: "today at 14:05", "on Monday at 9:30", "on 3 May at 17:00"."""
+    days = (now.date() - then.date()).days
+    if days in (0, 1):
+        day = "yesterday" if days else "today"
+    elif 1 < days < 7:
+        day = f"on {then:%A}"
+    else:
+        day = f"on {then.day} {then:%B}{'' if then.year == now.year else f' {then.year}'}"
+    return f"{day} at {then.hour}:{then:%M}"
 
 
 def at_location(arguments: Arguments, objects: Objects, known: RobotKnowledge) -> Objects:
@@ -69,12 +94,18 @@ def is_definite(theme: TypedArgument) -> bool:
 def name_for(theme: TypedArgument, one: WorldObject) -> str:
     """Return how an answer calls an object: as it was asked for, or by its own noun: the "cloth" is a blanket."""
     is_its_noun = theme.lemma.lower() in (noun_of(one), noun_of(one).split()[-1])
-    return definite(theme) if is_its_noun and not one.name else name_of(one)
+    if one.name or not is_its_noun:
+        # "It" was "the mug on the table" when it was spoken of.
+        return full_name(one) if theme.source is Source.INFERRED else name_of(one)
+    # "Your keys" are those of which the robot knows whose they are.
+    return definite(theme) if theme.possessor is None or one.related("of") else f"the {bare_noun(theme)}"
 
 
 def is_only_of_the_kind(theme: TypedArgument, one: WorldObject) -> bool:
     """Whether the noun that was said names the kind of an object, but not the object: the toolbox is a "box", and may
     not be the box that is meant; nor is the towel the "cloth"."""
+    if theme.source is Source.INFERRED:
+        return False  # "It" names no kind.
     said = {theme.lemma.lower(), theme.head.lower()}
     return one.sort is not Sort.PERSON and not said & _GENERAL and not _called(one) & said
 

@@ -17,6 +17,10 @@ from question_answering.robot_knowledge import (
     served_frames,
     steps_behind,
 )
+from question_answering.wording import day_and_time
+from typed_arguments import Source, TypedArgument
+from world_model import Relation, Sort, WorldObject
+from world_model.knowledge import Change, Knowledge, Update
 from world_model.world import World, snapshot
 from world_model.world_file import load_world_file
 
@@ -73,7 +77,7 @@ def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[s
         ("Where is Anna?", "Anna is in the kitchen."),
         ("Where are you?", "I am in the kitchen."),
         ("Where is the key?", "I do not know where the key is."),
-        ("Where is the unicorn?", "I have not seen a unicorn."),
+        ("Where is the unicorn?", "I know of no unicorn."),
         ("Where is Clara?", "I do not know Clara."),
         ("Have you seen the red mug?", "The red mug is on the table in the kitchen."),
         (
@@ -123,7 +127,7 @@ def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[s
         ("What is the biggest thing in the hall?", "It is the shelf in the hall."),
         ("Which chair is the biggest?", "I do not know which chair is the biggest."),
         ("What is the biggest mug?", "I do not know which mug is the biggest."),
-        ("What is the biggest boat?", "I have not seen a boat."),
+        ("What is the biggest boat?", "I know of no boat."),
         ("Who owns the red mug?", "The red mug belongs to Anna."),
         ("Whose is the lamp?", "I do not know whom the lamp belongs to."),
         ("What colour is the mug?", "The mug is red."),
@@ -149,7 +153,7 @@ def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[s
         ("The color of the mug?", "The mug is red."),
         ("Which color is the mug?", "The mug is red."),
         ("Where is my mug?", "I do not know who you are. The mug of Anna is on the table in the kitchen."),
-        ("Where is my lamp?", "I have not seen a lamp."),
+        ("Where is my lamp?", "The lamp is in the hall."),
         ("Who am I?", "I do not know who you are."),
     ],
 )
@@ -161,7 +165,7 @@ def test_the_speaker_is_known(pipeline: Pipeline, home: World) -> None:
     known = RobotKnowledge(home, speaker="anna")
     assert answered("Where is my mug?", pipeline, known) == "Your mug is on the table in the kitchen."
     assert answered("Who am I?", pipeline, known) == "You are Anna."
-    assert answered("Where is my mug?", pipeline, replace(known, speaker="ben")) == "I have not seen a mug."
+    assert answered("Where is my mug?", pipeline, replace(known, speaker="ben")) == "I know of no mug."
 
 
 WENT = Deed("Go to the kitchen.", Outcome.DONE, "Done.")
@@ -169,6 +173,7 @@ STOPPED = Deed("Follow me.", Outcome.SUPERSEDED, "A stop ended it.")
 CRY = Deed("Stop!", Outcome.DONE, "I stand still.", is_stop=True)
 NOT_SAID = 'I did not do "say hello", because "it is noon" did not hold.'
 IN_PART = Deed("If it is noon, say hello.", Outcome.DONE, f"Done. {NOT_SAID}")
+BEGAN = 'I was carrying out "Follow me.", and then you said "Stop!".'
 FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
 
 
@@ -177,11 +182,20 @@ FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
     [
         ("Why did you stop?", (STOPPED, CRY), "", 'I was carrying out "Follow me.", and then you said "Stop!".'),
         ("Why did you stop?", (FAILED,), "", '"Bring me the mug." did not work: I have not seen a mug.'),
-        ("Why did you stop?", (WENT,), "", 'I carried out "Go to the kitchen.", because you asked me to.'),
+        ("Why did you stop?", (WENT,), "", 'Nobody stopped me: I carried out "Go to the kitchen." to its end.'),
+        (
+            "Why did you stop?",
+            (STOPPED, CRY, FAILED, WENT),
+            "",
+            f'{BEGAN} Since then, I have carried out "Go to the kitchen.".',
+        ),
+        # The replies to a stop, and to what it ends, come in any order.
+        ("Why did you stop?", (WENT, CRY, STOPPED), "", 'I was carrying out "Follow me.", and then you said "Stop!".'),
+        ("Why did you stop?", (WENT, CRY), "", 'You said "Stop!".'),
         ("What went wrong?", (IN_PART,), "", f'I carried out "{IN_PART.text}", because you asked me to. {NOT_SAID}'),
         ("What did you do?", (IN_PART,), "", f'I carried out "{IN_PART.text}". {NOT_SAID}'),
         ("Why did you stop?", (), "", "I have not done anything yet."),
-        ("Why did you stop?", (WENT,), "Follow me.", 'I am still carrying out "Follow me.", because you asked me to.'),
+        ("Why did you stop?", (WENT,), "Follow me.", 'I have not stopped: I am carrying out "Follow me.".'),
         ("Why did you not do it?", (WENT, FAILED), "", '"Bring me the mug." did not work: I have not seen a mug.'),
         (
             "Why didn't you bring me the mug?",
@@ -240,7 +254,7 @@ KNOWN = RobotKnowledge(
         ("What day is it?", "It is Sunday, 22 November 2026."),
         ("What day is tomorrow?", "Tomorrow is Monday, 23 November 2026."),
         ("Where are you?", "I do not know where I am."),
-        ("Where is the mug?", "I have not seen a mug."),
+        ("Where is the mug?", "I know of no mug."),
         ("Who is in the kitchen?", 'I do not know of any place "the kitchen".'),
     ],
 )
@@ -325,3 +339,87 @@ def test_thing_of_a_kind_may_not_be_the_one_that_is_meant(text: str, expected: s
     known = RobotKnowledge(snapshot("1", {one.id: one for one in load_world_file(world, "home.yaml")}))
     (reading,) = pipeline.in_world(known.world).understand(text).readings
     assert answer(reading.unit.frame_name, reading.arguments, known) == expected
+
+
+#: The robot was last told of the home on Saturday at 14:05; in this run it has seen the key alone.
+TWO_RUNS = """
+places:
+  kitchen:
+  hall:
+things:
+  table_1: {in: kitchen}
+  key_1: {on: table_1}
+  mug_1: {}
+  bottle_1: {}
+devices:
+  lamp_1: {in: hall}
+persons:
+  bob:
+  anna:
+robots:
+  robot: {in: hall}
+"""
+SATURDAY = datetime(2026, 11, 21, 14, 5)
+
+
+@pytest.fixture(scope="module")
+def later() -> World:
+    of_file = load_world_file(TWO_RUNS, "home.yaml")
+    told = (
+        WorldObject("mug_1", relations=(Relation("on", "table_1"),)),
+        WorldObject("bottle_1", relations=(Relation("held_by", "robot"),)),
+        WorldObject("lamp_1", Sort.DEVICE, states=("on",)),
+        WorldObject("anna", Sort.PERSON, relations=(Relation("in", "kitchen"),)),
+    )
+    change = Knowledge(of_file).plan(Update(told), 10.0, SATURDAY.timestamp())
+    assert isinstance(change, Change)
+    return snapshot("2", Knowledge(of_file, change.learned).objects)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Where is the mug?", "I last saw the mug yesterday at 14:05, on the table in the kitchen."),
+        ("Where is Anna?", "I last saw Anna yesterday at 14:05, in the kitchen."),
+        ("Where is Bob?", "I have not seen Bob yet."),
+        ("Where is the key?", "The key is on the table in the kitchen."),
+        ("Is the lamp on?", "When I last knew, yesterday at 14:05, the lamp was on."),
+        (
+            "What is on the table?",
+            "On the table there is a key. As of yesterday at 14:05: On the table there are a key and a mug.",
+        ),
+        (
+            "Who is in the kitchen?",
+            "I know of nobody in the kitchen. As of yesterday at 14:05: Anna is in the kitchen.",
+        ),
+        ("What do you have in your hand?", "I hold nothing. As of yesterday at 14:05: I hold a bottle."),
+    ],
+)
+def test_what_an_earlier_run_knew_is_told_with_when(text: str, expected: str, pipeline: Pipeline, later: World) -> None:
+    assert answered(text, pipeline, RobotKnowledge(later, now=datetime(2026, 11, 22, 9, 30))) == expected
+
+
+@pytest.mark.parametrize(
+    ("now", "expected"),
+    [
+        (datetime(2026, 11, 21, 23, 59), "today at 14:05"),
+        (datetime(2026, 11, 22, 0, 1), "yesterday at 14:05"),
+        (datetime(2026, 11, 25, 9, 0), "on Saturday at 14:05"),
+        (datetime(2026, 12, 24, 9, 0), "on 21 November at 14:05"),
+        (datetime(2027, 1, 1, 9, 0), "on 21 November 2026 at 14:05"),
+    ],
+)
+def test_a_time_is_told_as_people_tell_it(now: datetime, expected: str) -> None:
+    assert day_and_time(SATURDAY, now) == expected
+
+
+def test_what_was_given_away_is_known_to_be_gone(pipeline: Pipeline, home: World) -> None:
+    gone = replace(home.by_id["bottle_1"], relations=(Relation("held_by", "anna"),))
+    world = snapshot("2", {**home.by_id, "bottle_1": gone})
+    words = "the bottle on the table"
+    there = TypedArgument("theme", words, Source.INFERRED, head="it", lemma="it", referents=("bottle_1",))
+    known = RobotKnowledge(world)
+    assert answer("question_of_being_there", [there], known) == (
+        "No, as far as I know: the bottle is held by Anna in the kitchen."
+    )
+    assert answer("question_of_place", [there], known) == "The bottle is held by Anna in the kitchen."

@@ -9,7 +9,7 @@ from world_model import Sort, World, WorldObject
 from world_model.world import category_of
 from world_model.world_object import LEADS_TO
 
-#: A question names this many objects; more are counted.
+#: A question names this many objects, and counts them if there are more.
 MOST_NAMED = 4
 #: Whose something is, from the view of the robot.
 _YOURS = {"my": "your", "your": "my", "our": "our"}
@@ -108,10 +108,10 @@ def descriptions(objects: Sequence[WorldObject], world: World) -> Tuple[str, ...
 
 
 def question_of(noun: str, objects: Sequence[WorldObject], world: World) -> str:
-    """Return the question which of several objects is meant."""
+    """Return the question which of several objects is meant; of many, the first ones are named."""
+    options = descriptions(objects[:MOST_NAMED], world)
     if len(objects) > MOST_NAMED:
-        return f"Which {noun}? I know of {len(objects)}."
-    options = descriptions(objects, world)
+        return f"Which {noun}, {', '.join(options)} or another one? I know of {len(objects)}."
     return f"Which {noun}, {', '.join(options[:-1])} or {options[-1]}?"
 
 
@@ -122,11 +122,11 @@ def question_of_speaker(objects: Sequence[WorldObject], world: World) -> str:
 
 
 def unknown_of(argument: TypedArgument) -> str:
-    """Return a sentence that says that nothing is known of what a phrase refers to: "I have not seen a mug."."""
+    """Return a sentence that says that nothing is known of what a phrase refers to: "I know of no mug."."""
     if argument.semantic_type == "Human" and not argument.quantifier:
         return f"I do not know {as_said(argument)}."
     noun = bare_noun(argument)
-    return f"I have not seen {f'any {noun}' if argument.is_plural else article(noun)}."
+    return f"I know of no {noun}."
 
 
 def as_said(argument: TypedArgument) -> str:

@@ -72,9 +72,7 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
     if argument.quantifier in ("other", "another") and situation.spoken_of:
         found = tuple(one for one in found if one.id != situation.spoken_of[0])
     if argument.possessor is not None and not _is_name(found, argument):
-        owners = _owners(argument.possessor, situation)
-        is_open = is_of_unknown_speaker(argument, situation)
-        found = tuple(one for one in found if (one.related("of") if is_open else owners & set(one.related("of"))))
+        found = _possessed(found, argument.possessor, situation)
     if argument.complement is not None and not _is_name(found, argument):
         found = _of(found, argument.complement, situation)
     for description in argument.frames:
@@ -108,6 +106,25 @@ def is_of_unknown_speaker(argument: TypedArgument, situation: Situation) -> bool
     """Whether a phrase is about what belongs to the person who speaks, and nobody knows who that is: "my mug"."""
     possessor = argument.possessor
     return possessor is not None and possessor.head.lower() in _SPEAKER and not situation.speaker
+
+
+def is_speaker_asked_for(argument: TypedArgument, situation: Situation, found: Objects) -> bool:
+    """Whether it must be asked who speaks, to know which of the things that a phrase may mean are theirs."""
+    return is_of_unknown_speaker(argument, situation) and any(one.related("of") for one in found)
+
+
+def _possessed(found: Objects, possessor: TypedArgument, situation: Situation) -> Objects:
+    """Return those of some objects that somebody has.
+
+    Whoever says "my keys" has keys: where the robot knows none that are theirs, it means those that are nobody's as
+    far as it knows.
+    """
+    owners = _owners(possessor, situation)
+    theirs = tuple(one for one in found if owners & set(one.related("of")))
+    if theirs or possessor.head.lower() not in _SPEAKER:
+        return theirs
+    owned = tuple(one for one in found if one.related("of"))
+    return owned if owned and not situation.speaker else tuple(one for one in found if one not in owned)
 
 
 def _is_name(found: Objects, argument: TypedArgument) -> bool:

@@ -8,10 +8,10 @@ import pytest
 from phrase_meanings.phrases import Phrases
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
 from referring_expressions.describing import article, describe, place_of, plural_of, question_of_speaker
-from referring_expressions.fitting import is_of_unknown_speaker
+from referring_expressions.fitting import is_of_unknown_speaker, is_speaker_asked_for
 from stanford_parser_ros.model import shipped_parser
 from typed_arguments import TypedArgument
-from world_model import World
+from world_model import Relation, World
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
 
@@ -117,7 +117,7 @@ def test_quantifier_says_how_many_are_meant(text: str, count: int, number: int, 
     assert (found.count, len(found.ids), found.is_ambiguous) == (count, number, False)
 
 
-@pytest.mark.parametrize("text", ["the green mug", "the unicorn", "Bob's mug", "my lamp", "the mug on the sofa"])
+@pytest.mark.parametrize("text", ["the green mug", "the unicorn", "Bob's mug", "the mug on the sofa"])
 def test_nothing_known_fits(text: str, home: World) -> None:
     assert resolved(text, home) == Referents()
 
@@ -195,8 +195,19 @@ def test_whose_it_is_is_open_while_nobody_knows_who_speaks(home: World) -> None:
     assert is_of_unknown_speaker(phrase("my mug"), Situation(home))
     assert resolved("my mug", home).ids == ("mug_1",)
     assert not is_of_unknown_speaker(phrase("my mug"), Situation(home, speaker="anna"))
-    assert resolve(phrase("my mug"), Situation(home, speaker="nobody")) == Referents()
+    # The other mug is nobody's, as far as the robot knows.
+    assert resolved("my mug", home, speaker="ben").ids == ("mug_2",)
+    assert resolved("my lamp", home).ids == ("lamp_1", "lamp_2")
+    assert not is_speaker_asked_for(phrase("my lamp"), Situation(home), home.exactly("lamp"))
+    hers = tuple(replace(one, relations=(Relation("of", "anna"),)) for one in home.exactly("lamp"))
+    assert resolved("my lamp", World("1", hers), speaker="ben") == Referents()
     assert question_of_speaker((home.by_id["mug_1"],), home) == "Who are you? I know the mug of Anna."
+
+
+def test_of_many_things_the_nearest_are_named(home: World) -> None:
+    doors = tuple(replace(home.by_id["office_door"], id=f"door_{index}", name=f"door {index}") for index in range(9))
+    question = question_of("door", doors, World("1", doors))
+    assert question == "Which door, the door 0, the door 1, the door 2, the door 3 or another one? I know of 9."
 
 
 def test_things_of_different_kinds_are_asked_about_by_their_names(home: World) -> None:

@@ -105,7 +105,8 @@ class Circumstances:
     Attributes:
         node_id: of the registrar or the framer that is asked; empty while it is not running
         file: state of the file
-        known_files: files that the registrar knows; a frame is refused when it does not fit its children
+        known_files: files that the registrar knows: a registration is odd or refused because one is missing or other
+            than expected, a frame when it does not fit its children
     """
 
     node_id: str
@@ -118,28 +119,84 @@ class _Refused:
     circumstances: Circumstances
     asked_s: float
     is_final: bool
+    times: int
 
 
 @dataclass(frozen=True)
 class _Granted:
     node_id: str
     answered_s: float
+    times: int
+
+
+@dataclass(frozen=True)
+class Pauses:
+    """Pauses between attempts that get the same answer: each is twice as long as the one before.
+
+    Attributes:
+        first_s: the first one, seconds
+        longest_s: no pause is longer, seconds
+    """
+
+    first_s: float
+    longest_s: float
+
+    def after(self, times: int) -> float:
+        """Return the pause after so many attempts, 1 or more; seconds."""
+        pause_s = self.first_s
+        for _ in range(times - 1):
+            if pause_s >= self.longest_s:
+                break
+            pause_s *= 2.0
+        return min(pause_s, self.longest_s)
+
+
+class LateChecks:
+    """Checks of frames that no file described when a server registered for them.
+
+    A check is due when the registrar knows other files than before, and else after a pause: the registrar may not have
+    answered the one before.
+    """
+
+    def __init__(self, pauses: Pauses) -> None:
+        """
+        Args:
+            pauses: between two checks while the registrar knows the same files
+        """
+        self._pauses = pauses
+        #: Of each frame: the circumstances of the last check, its time, and how often they were the same.
+        self._checked: Dict[str, Tuple[Circumstances, float, int]] = {}
+
+    def find(self, frame_name: str, is_known: bool, circumstances: Circumstances, *, now_s: float) -> None:
+        """Take up the outcome of a check; a frame that is known needs no other one."""
+        if is_known:
+            self._checked.pop(frame_name, None)
+            return
+        before, _, times = self._checked.get(frame_name, (None, 0.0, 0))
+        self._checked[frame_name] = (circumstances, now_s, times + 1 if before == circumstances else 1)
+
+    def due_in_s(self, circumstances: Circumstances, *, now_s: float) -> Dict[str, float]:
+        """Return after how many seconds each frame is to be checked; 0 for now."""
+        return {
+            frame_name: max(0.0, checked_s + self._pauses.after(times) - now_s) if before == circumstances else 0.0
+            for frame_name, (before, checked_s, times) in sorted(self._checked.items())
+        }
 
 
 class Answers:
     """Answers to requests, so that nobody asks for the same again and again.
 
     A file that was refused is offered again when it has changed, or when the other side knows other files or was
-    restarted. Everything else, such as a service that did not answer, is also tried again after a time. What was
-    granted may be missing from what the other side published before: it is asked for again after the same time.
+    restarted. Everything else, such as a service that did not answer, is also tried again after a pause. What was
+    granted may be missing from what the other side published before: it is asked for again after a pause, too.
     """
 
-    def __init__(self, *, retry_s: float) -> None:
+    def __init__(self, pauses: Pauses) -> None:
         """
         Args:
-            retry_s: time between two attempts
+            pauses: between two attempts
         """
-        self._retry_s = retry_s
+        self._pauses = pauses
         self._refused: Dict[RegistrationRequest, _Refused] = {}
         self._granted: Dict[RegistrationRequest, _Granted] = {}
 
@@ -155,12 +212,16 @@ class Answers:
             now_s: monotonic seconds
         """
         self._granted.pop(request, None)
-        self._refused[request] = _Refused(circumstances, now_s, is_final)
+        before = self._refused.get(request)
+        times = before.times + 1 if before is not None and before.circumstances == circumstances else 1
+        self._refused[request] = _Refused(circumstances, now_s, is_final, times)
 
     def grant(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> None:
         """A request was granted; the arguments are those of :meth:`refuse`."""
         self._refused.pop(request, None)
-        self._granted[request] = _Granted(circumstances.node_id, now_s)
+        before = self._granted.get(request)
+        times = before.times + 1 if before is not None and before.node_id == circumstances.node_id else 1
+        self._granted[request] = _Granted(circumstances.node_id, now_s, times)
 
     def unconfirmed(self) -> FrozenSet[RegistrationRequest]:
         """Return what was granted by one whose id was not known."""
@@ -177,11 +238,11 @@ class Answers:
         granted = self._granted.get(request)
         # Before the first word of the other side its id is not known.
         if granted is not None and granted.node_id in ("", circumstances.node_id):
-            return max(0.0, granted.answered_s + self._retry_s - now_s)
+            return max(0.0, granted.answered_s + self._pauses.after(granted.times) - now_s)
         refused = self._refused.get(request)
         if refused is None or refused.circumstances != circumstances:
             return 0.0
-        return math.inf if refused.is_final else max(0.0, refused.asked_s + self._retry_s - now_s)
+        return math.inf if refused.is_final else max(0.0, refused.asked_s + self._pauses.after(refused.times) - now_s)
 
 
 def file_state(path: str) -> FileState:

@@ -1,5 +1,6 @@
 """Registers a server with the registrar and the framer, again when they restart."""
 
+import math
 import threading
 import time
 from dataclasses import replace
@@ -14,6 +15,8 @@ from rfnserver.registration import (
     Circumstances,
     FrameFit,
     KnownState,
+    LateChecks,
+    Pauses,
     RegistrationRequest,
     RequestKind,
     absolute_path,
@@ -28,8 +31,9 @@ from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
 #: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
 #: A request that was not answered, a registration that was refused, and what was granted and is still missing: all are
-#: repeated after this time; seconds.
+#: repeated after this time, seconds, and after twice as long each time that this changed nothing.
 RETRY_S = 10.0
+_LONGEST_RETRY_S = 80.0
 
 FrameCheck = Callable[[str], FrameFit]
 
@@ -65,13 +69,13 @@ class Registration:
         #: Profiles of frames that have one of their own; what was registered for each frame.
         self._profiles: Dict[str, ServerProfile] = {}
         self._registered: Dict[str, ServerProfile] = {}
-        #: Frames that were registered before their file was added: they are checked afterwards.
-        self._unchecked: Set[str] = set()
+        pauses = Pauses(RETRY_S, _LONGEST_RETRY_S)
+        self._late_checks = LateChecks(pauses)
         self._condition = threading.Condition()
         self._requests: List[RegistrationRequest] = []
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
-        self._answers = Answers(retry_s=RETRY_S)
+        self._answers = Answers(pauses)
         #: Requests that a thread is making.
         self._asking: Set[RegistrationRequest] = set()
         #: When the registrar first found a registration odd, by frame; and those that were told.
@@ -184,7 +188,7 @@ class Registration:
         return self._answers.due_in_s(request, self._circumstances(request), now_s=time.monotonic())
 
     def _run(self) -> None:
-        rest_s = RETRY_S
+        rest_s: Optional[float] = RETRY_S
         while not rospy.is_shutdown():
             with self._condition:
                 self._condition.wait_for(lambda: self._is_stale or self._is_closed, timeout=rest_s)
@@ -192,7 +196,7 @@ class Registration:
                     return
                 self._is_stale = False
                 missing = self._missing()
-                unchecked = sorted(self._unchecked)
+                unchecked = [frame_name for frame_name, due_s in self._late_checks_due().items() if due_s <= 0.0]
             for request in missing:
                 with self._condition:
                     # Looked up for each: another thread may have made the request meanwhile.
@@ -206,17 +210,36 @@ class Registration:
             for frame_name in unchecked:
                 self._check_late(frame_name)
             with self._condition:
-                rest_s = min([RETRY_S, *map(self._due_in_s, missing)])
+                rest_s = self._rest_s(missing)
+
+    def _rest_s(self, missing: Sequence[RegistrationRequest]) -> Optional[float]:
+        """Return how long there is nothing to do, in seconds; None for until something is heard. With the lock."""
+        pauses = [self._due_in_s(request) for request in missing]
+        pauses += self._late_checks_due().values()
+        pauses += [max(0.0, since_s + RETRY_S - time.monotonic()) for since_s in self._remarks.values()]
+        if any(request.kind is not RequestKind.REGISTRATION for request in missing):
+            # Nobody tells when a file changes.
+            pauses.append(RETRY_S)
+        rest_s = min(pauses, default=math.inf)
+        return None if math.isinf(rest_s) else rest_s
+
+    def _late_checks_due(self) -> Dict[str, float]:
+        """Return after how many seconds each frame is checked that had no file. Called with the lock."""
+        return self._late_checks.due_in_s(self._known_circumstances(), now_s=time.monotonic())
+
+    def _known_circumstances(self) -> Circumstances:
+        """Return what the answer to a registration depends on. Called with the lock."""
+        registrar = self._registrar or KnownState("")
+        return Circumstances(registrar.id, None, registrar.files)
 
     def _circumstances(self, request: RegistrationRequest) -> Circumstances:
         """Return what the answer to a request depends on. Called with the lock."""
         if request.kind is RequestKind.REGISTRATION:
-            return Circumstances(self._registrar.id if self._registrar else "")
+            return self._known_circumstances()
         file = file_state(request.subject)
         if request.kind is RequestKind.LEXICAL_UNIT_FILE:
             return Circumstances(self._framer.id if self._framer else "", file)
-        registrar = self._registrar or KnownState("")
-        return Circumstances(registrar.id, file, registrar.files)
+        return replace(self._known_circumstances(), file=file)
 
     def _ask(self, request: RegistrationRequest) -> bool:
         with self._condition:
@@ -236,6 +259,9 @@ class Registration:
                 self._answers.refuse(request, circumstances, is_final=is_final, now_s=time.monotonic())
             else:
                 self._answers.grant(request, circumstances, now_s=time.monotonic())
+            # The thread finds out when it is to be made again.
+            self._is_stale = True
+            self._condition.notify_all()
         self._report(request, error)
         return not error
 
@@ -280,6 +306,8 @@ class Registration:
             try:
                 _, reasons = self._register(frame_name, self._profile_for(frame_name, self._fit(frame_name)))
             except ServiceError:
+                with self._condition:
+                    self._remarks[frame_name] = time.monotonic()
                 continue
             with self._condition:
                 self._remarks.pop(frame_name, None)
@@ -340,10 +368,9 @@ class Registration:
         """Return how a frame fits this server; an unknown frame is checked when its file is added."""
         if self._check is None:
             return FrameFit(is_known=True)
+        with self._condition:
+            circumstances = self._known_circumstances()
         fit = self._check(frame_name)
         with self._condition:
-            if fit.is_known:
-                self._unchecked.discard(frame_name)
-            else:
-                self._unchecked.add(frame_name)
+            self._late_checks.find(frame_name, fit.is_known, circumstances, now_s=time.monotonic())
         return fit

@@ -174,6 +174,7 @@ class ActionConnection:
         goal: Any,
         *,
         header_text: str = "",
+        earliest_stamp_ns: int = 0,
         on_transition: Callable[[actionlib.ClientGoalHandle], None],
         on_feedback: Callable[[Any], None],
     ) -> SentGoal:
@@ -182,19 +183,24 @@ class ActionConnection:
         Args:
             goal: of the server's type
             header_text: for ``header.frame_id`` of the message around the goal
+            earliest_stamp_ns: the goal is not stamped earlier, nanoseconds of ROS time
             on_transition: called with the handle whenever its state changes
             on_feedback: called with each feedback
         """
         # actionlib makes the message around the goal anew for each goal, and this function publishes it.
         with self._sending:
-            self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
+            self._client.manager.register_send_goal_fn(
+                lambda message: self._publish(message, header_text, earliest_stamp_ns)
+            )
             handle = self._client.send_goal(
                 goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
             )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
 
-    def _publish(self, message: Any, header_text: str) -> None:
+    def _publish(self, message: Any, header_text: str, earliest_stamp_ns: int) -> None:
         message.header.frame_id = header_text
+        if message.goal_id.stamp.to_nsec() < earliest_stamp_ns:
+            message.goal_id.stamp = rospy.Time(*divmod(earliest_stamp_ns, 1_000_000_000))
         self._client.pub_goal.publish(message)
 
     def cancel(self, goal: SentGoal) -> None:

@@ -9,6 +9,7 @@ import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandGoal, FrameServers, Lexicon, Reply
 
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_ros.ros_waiting import wait_for_action_server
 from roboframenet_testing import comes_true
 
 
@@ -93,7 +94,7 @@ def say(text: str, *, timeout_s: float = 60.0, robot: str = "") -> Reply:
     """
     # A SimpleActionClient drops a result that arrives before its send_goal() has returned.
     client = actionlib.ActionClient(f"{robot}/command" if robot else "command", ExecuteCommandAction)
-    assert client.wait_for_server(rospy.Duration(timeout_s)), f"no command server within {timeout_s:g} s"
+    assert wait_for_action_server(client, timeout_s), f"no command server within {timeout_s:g} s"
     goal = client.send_goal(ExecuteCommandGoal(text=text))
     if not comes_true(lambda: goal.get_comm_state() == actionlib.CommState.DONE, timeout_s):
         goal.cancel()

@@ -15,6 +15,7 @@ COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and show what happens"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
     ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and their effect on a corpus"),
+    ("sentences", "roboframenet_tools.sentences", "read many sentences, and count what is done, refused or lost"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
     (
         "list",
@@ -38,6 +39,7 @@ COMMANDS = (
         "experience.experience_command",
         "list, explain, reset, export or import what was tried",
     ),
+    ("forget", "roboframenet_tools.ros_forget", "let the robot forget what it has learned of things and places"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),

@@ -10,6 +10,7 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue, Fra
 
 from offline_pipeline.knowledge import load_texts
 from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_ros.ros_waiting import wait_for_message
 from roboframenet_tools.finding import Finding, clock_finding
 from roboframenet_tools.registrations import Registered, registration_findings
 
@@ -69,8 +70,8 @@ def _knowledge() -> List[Finding]:
     problems: List[FileProblem] = []
     subscriber = rospy.Subscriber("file_problems", FileProblems, lambda message: problems.extend(message.problems))
     try:
-        catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=_TIMEOUT_S)
-        registered = rospy.wait_for_message("frame_servers", FrameServers, timeout=_TIMEOUT_S)
+        catalogue = wait_for_message("frame_catalogue", FrameCatalogue, _TIMEOUT_S)
+        registered = wait_for_message("frame_servers", FrameServers, _TIMEOUT_S)
     except rospy.ROSException:
         return [Finding("catalogue", "the registrar publishes none", "look at the log of frame_registrar")]
     finally:
@@ -97,7 +98,7 @@ def _time() -> Finding:
         return Finding("time", "of the machine")
     try:
         _join()
-        rospy.wait_for_message("/clock", rospy.AnyMsg, timeout=5.0)
+        wait_for_message("/clock", rospy.AnyMsg, _TIMEOUT_S)
     except rospy.ROSException as error:
         return Finding(
             "time",

@@ -14,6 +14,7 @@ from offline_pipeline.knowledge import Knowledge, load_texts
 from offline_pipeline.pipeline import Parameters
 from roboframenet_ros.parameters import ParameterError
 from roboframenet_ros.ros_node import read_parameters
+from roboframenet_ros.ros_waiting import wait_for_message
 from semantic_framer.settings import Settings as SemanticFramerSettings
 from semantic_frames.ros_server_profile import profile_from_message
 from world_model import World
@@ -36,7 +37,7 @@ def live_world(*, timeout_s: float) -> World:
     if name not in (topic for topic, _ in rospy.get_published_topics()):
         return World()
     try:
-        return world_from_message(rospy.wait_for_message(name, WorldMessage, timeout=timeout_s))
+        return world_from_message(wait_for_message(name, WorldMessage, timeout_s))
     except rospy.ROSException:
         return World()
 
@@ -53,9 +54,9 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
         raise LookupError("no ROS master answers: start the pipeline, or omit --live")
     try:
         _join()
-        catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=timeout_s)
-        servers = rospy.wait_for_message("frame_servers", FrameServers, timeout=timeout_s)
-        lexicon = rospy.wait_for_message("lexicon", Lexicon, timeout=timeout_s)
+        catalogue = wait_for_message("frame_catalogue", FrameCatalogue, timeout_s)
+        servers = wait_for_message("frame_servers", FrameServers, timeout_s)
+        lexicon = wait_for_message("lexicon", Lexicon, timeout_s)
     except rospy.ROSException as error:
         raise LookupError(f"the pipeline is not up: {error}") from error
     knowledge = load_texts(

@@ -11,6 +11,7 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandGoal, Reply
 
+from roboframenet_ros.ros_waiting import wait_for_action_server
 from roboframenet_tools.saying import (
     EXIT_STATUS,
     NO_REPLY,
@@ -70,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
         return _complain(f"no ROS master: {error}")
     client = actionlib.ActionClient("command", ExecuteCommandAction)
     # The start of the node may have taken most of the time on a busy machine.
-    if not client.wait_for_server(rospy.Duration(max(_POLL_S, arguments.wait))):
+    if not wait_for_action_server(client, max(_POLL_S, arguments.wait)):
         return _complain(f"no command server within {arguments.wait:g} s: is the pipeline up ('make run')?")
     arrived: queue.Queue[Union[Stage, Tuple[int, Reply]]] = queue.Queue()
 

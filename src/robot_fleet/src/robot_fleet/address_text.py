@@ -1,16 +1,18 @@
 """Splits an utterance by whom its parts address: "Alpha, go to the kitchen, and Beta, follow me"."""
 
-import re
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Tuple
 
 from command_server.stop_words import find_cry
 from robot_fleet.address_words import address_words
-from robot_fleet.designators import Group, Kind, Names, group_at, tokens_of
+from robot_fleet.designators import Group, Kind, called_ordinal_at, group_at, tokens_of
+from robot_fleet.robot_names import Names, is_titled
+from robot_fleet.vocatives import Calls
 
 _MARKS = frozenset(",;:.!?…—–")
 _ENDS = frozenset(".!?;…")
-_CAPITALISED = re.compile(r"^[A-Z][a-z]+$")
+#: Whoever may begin a part of its own.
+_CALLED = frozenset([Kind.NAME, Kind.UNKNOWN, Kind.OTHERS, Kind.OTHER_ONE, Kind.EVERYBODY])
 #: More words than this do not stand between the beginning of a cry and whom it stops: "please stop moving, Alpha".
 _LONGEST_CRY = 4
 
@@ -47,25 +49,6 @@ def split_by_address(text: str, names: Names, verbs: FrozenSet[str]) -> Tuple[Pa
     return _Utterance(text, names, verbs).parts()
 
 
-def unknown_address(text: str, names: Names, verbs: FrozenSet[str]) -> str:
-    """Return the name that an utterance begins with like an address, if no robot has it: "Rosie, go home"; else ""."""
-    tokens = tokens_of(text)
-    known = address_words()
-    words = [token.word for token in tokens]
-    start = known.phrases["greetings"].length_at(words, 0)
-    rest = tokens[start:]
-    if (
-        group_at(words, start, names)[0] is not None
-        or len(rest) < 3
-        or rest[1].word != ","
-        or rest[2].word not in verbs
-    ):
-        return ""
-    name = text[rest[0].start : rest[0].end]
-    is_word = rest[0].word in verbs or rest[0].word in known.words["no_names"] or rest[0].word.endswith("ly")
-    return name if _CAPITALISED.match(name) and not is_word else ""
-
-
 class _Utterance:
     def __init__(self, text: str, names: Names, verbs: FrozenSet[str]) -> None:
         self._text = text
@@ -75,6 +58,7 @@ class _Utterance:
         self._verbs = verbs
         known = address_words()
         self._lists, self._single = known.phrases, known.words
+        self._calls = Calls(self._words, verbs)
 
     def parts(self) -> Tuple[Part, ...]:
         """Return the parts."""
@@ -94,7 +78,8 @@ class _Utterance:
             is_told = self._told_at(self._skip(position, len(self._words), "greetings")) is not None
             stopped = self._stopped_at(position, len(self._words))
             behind = behind if stopped is None else stopped[2]
-            end = self._next_address(behind, has_address=bool(parts) or behind > position or is_told)
+            has_address = bool(parts) or behind > position or is_told
+            end = self._next_address(behind, begin=position, has_address=has_address)
             parts.append(replace(self._part(position, end), is_after=bool(parts) and self._is_sequel(position)))
             position = end
         return tuple(part for part in parts if part.text or part.group) or (Part(None, self._text),)
@@ -112,7 +97,7 @@ class _Utterance:
             is_listed = self._names.at(self._words, at - 2)[0] or self._words[at - 2] in self._single["prepositions"]
             if self._words[at - 1] != "," or is_listed:
                 continue
-            group, behind = group_at(self._words, at, self._names)
+            group, behind = self._group_at(at, len(self._words))
             if group is not None and behind < len(self._words) and self._is_addressed(behind, needs_verb=True):
                 return at
         return 0
@@ -152,35 +137,68 @@ class _Utterance:
     def _behind_address(self, position: int) -> int:
         """Return where the words behind an address begin, if one stands at a position; else that position."""
         start = self._skip(position, len(self._words), "greetings")
-        start = (
-            start
-            if group_at(self._words, start, self._names)[0]
-            else self._skip(start, len(self._words), "kept_before")
-        )
-        behind = group_at(self._words, start, self._names)[1]
+        if not self._group_at(start, len(self._words))[0]:
+            start = self._skip(start, len(self._words), "kept_before")
+        behind = self._group_at(start, len(self._words))[1]
         return behind if behind > start else position
 
-    def _next_address(self, position: int, *, has_address: bool) -> int:
-        """Return where the next part begins, behind the one at a position."""
+    def _group_at(self, position: int, end: int) -> Tuple[Optional[Group], int]:
+        """Return who is addressed at a position: also a name that no robot has, where somebody is called by it."""
+        group, behind = called_ordinal_at(self._words[:end], position, self._names)
+        if group is not None and self._calls.is_called(behind):
+            return group, behind
+        group, behind = group_at(self._words[:end], position, self._names)
+        called, behind_called = group_at(self._words[:end], position, self._names, self._calls.is_name)
+        if behind_called > behind and self._calls.is_called(behind_called):
+            return called, behind_called
+        return group, behind
+
+    def _next_address(self, position: int, *, begin: int, has_address: bool) -> int:
+        """Return where the next part begins, behind the one from `begin` on, whose address ends at `position`."""
         for at in range(position + 1, len(self._words)):
             before = self._words[at - 1]
             is_set_off = before in _MARKS
             links = self._links_at(at)
             if not is_set_off and not links:
                 continue
-            if not is_set_off and not has_address:
-                continue
-            group, behind = group_at(self._words, at + links, self._names)
-            if group is not None and group.kinds & {Kind.NAME, Kind.OTHERS, Kind.OTHER_ONE, Kind.EVERYBODY}:
+            if before in _ENDS and self._is_apart(begin, at):
+                return at
+            group, behind = self._group_at(at + links, len(self._words))
+            if group is not None and group.kinds & _CALLED:
                 is_new_sentence = before in _ENDS and not links
                 is_last = behind >= len(self._words) or all(word in _MARKS for word in self._words[behind:])
-                if is_last or (not has_address and not is_new_sentence):
+                if is_last or not (
+                    has_address or is_new_sentence or (links and self._is_second_order(begin, at, behind))
+                ):
                     continue
                 if self._is_addressed(behind, needs_verb=True):
                     return at
-            elif links and (self._told_at(at + links) or self._stopped_at(at + links, len(self._words))):
+            elif links and self._is_for_another(at + links, begin):
                 return at
         return len(self._words)
+
+    def _is_second_order(self, begin: int, link: int, behind: int) -> bool:
+        """Whether "turn left and Beta turn right" are two orders; "when Alpha and Beta come here" only names them."""
+        first = self._skip(begin, link, "greetings")
+        if self._lists["fronts"].length_at(self._words, first):
+            return self._calls.is_called(behind, needs_pause=True)
+        is_list = any(group_at(self._words[:link], at, self._names)[1] == link for at in range(begin, link))
+        return self._calls.is_called(behind, needs_pause=is_list or not self._calls.begins_order(first))
+
+    def _is_for_another(self, position: int, begin: int) -> bool:
+        """Whether an order for somebody else begins behind "and": not where a front holds for the whole."""
+        if self._lists["fronts"].length_at(self._words, self._skip(begin, position, "greetings")):
+            return False
+        if (self._told_at(position) or self._stopped_at(position, len(self._words))) is not None:
+            return True
+        is_asked = self._words[position : position + 1] and self._words[position] in self._single["auxiliaries"]
+        group, behind = self._group_at(position + 1, len(self._words)) if is_asked else (None, position)
+        return group is not None and self._is_verb_at(behind)
+
+    def _is_apart(self, begin: int, end: int) -> bool:
+        """Whether an address ends the sentences before a position, or the one behind it: each is for its own robot."""
+        following = next((at for at in range(end, len(self._words)) if self._words[at] in _ENDS), len(self._words))
+        return self._trailing(begin, end) is not None or self._trailing(end, following) is not None
 
     def _links_at(self, at: int) -> int:
         """Return the number of words at a position that link two orders: "and", "then"."""
@@ -188,7 +206,7 @@ class _Utterance:
 
     def _is_addressed(self, behind: int, *, needs_verb: bool = False) -> bool:
         """Whether what stands before a position is addressed, by what follows it."""
-        if behind >= len(self._words):
+        if behind >= len(self._words) or self._calls.modal_at(behind) is not None:
             return True
         word = self._words[behind]
         following = self._words[behind + 1] if behind + 1 < len(self._words) else ""
@@ -235,7 +253,10 @@ class _Utterance:
 
     def _leading(self, begin: int, start: int, end: int) -> Optional[Part]:
         """An address before the words: "Hey Alpha, come here", "could somebody come here"."""
-        group, behind = group_at(self._words[:end], start, self._names)
+        group, behind = self._group_at(start, end)
+        modal = self._calls.modal_at(behind) if group is not None else None
+        if modal is not None and modal[1] < end:
+            return Part(group, f"{modal[0]} {self._slice(modal[1], end)}")
         if group is not None and self._is_addressed(min(behind, end)):
             rest = behind
             while rest < end and self._words[rest] in _MARKS:
@@ -250,7 +271,7 @@ class _Utterance:
             return Part(group, (before + self._slice(rest, end)).strip())
         word = self._words[start] if start < end else ""
         if word in self._single["auxiliaries"]:
-            group, behind = group_at(self._words[:end], start + 1, self._names)
+            group, behind = self._group_at(start + 1, end)
             if group is not None and behind < end and self._is_verb_at(behind):
                 return Part(group, f"{word} you {self._slice(behind, end)}")
         return None
@@ -284,7 +305,7 @@ class _Utterance:
         if self._behind_address(begin) > begin:
             return None
         for start in range(begin + 1, min(end, begin + _LONGEST_CRY + 1)):
-            group, behind = group_at(self._words[:end], start, self._names)
+            group, behind = group_at(self._words[:end], start, self._names, self._is_marked_name)
             if group is None:
                 continue
             before = self._words[start - 1]
@@ -296,6 +317,14 @@ class _Utterance:
             is_cry = find_cry(" ".join(self._words[begin:start])) is not None
             return (group, start, behind) if is_cry else None
         return None
+
+    def _is_marked_name(self, word: str) -> bool:
+        """Whether a word behind a cry is no thing: it has a capital or a title, "stop Luna", "stop robot max"."""
+        return self._calls.is_name(word) and any(
+            token.word == word and (self._text[token.start].isupper() or is_titled(self._words, at))
+            for at, token in enumerate(self._tokens)
+            if at
+        )
 
     def _is_done_to_it(self, word: str) -> bool:
         """Whether a name behind a word is rather its object: "stop following Alpha"."""
@@ -322,11 +351,22 @@ class _Utterance:
             last -= 1
         for start in range(begin + 1, last):
             group, behind = group_at(self._words[:last], start, self._names)
+            if (group is None or behind != last) and self._words[start - 1] == ",":
+                group, behind = self._unknown_at(start, last)
             if group is None or behind != last:
                 continue
             if self._is_set_off_at(start, begin, group):
                 return Part(group, self._slice(begin, start))
         return None
+
+    def _unknown_at(self, start: int, end: int) -> Tuple[Optional[Group], int]:
+        """Return a name behind a comma that no robot has: "turn left, Luna". A list of several may be of things."""
+        group, behind = group_at(self._words[:end], start, self._names, self._calls.is_name)
+        if group is None or (len(group.unknown) > 1 and not group.names):
+            return None, start
+        first = next((at for at in range(start) if self._calls.begins_order(at)), None)
+        is_order = first is not None or find_cry(" ".join(self._words[: start - 1])) is not None
+        return (group, behind) if is_order else (None, start)
 
     def _is_set_off_at(self, start: int, begin: int, group: Group) -> bool:
         before = self._words[start - 1]
@@ -334,8 +374,10 @@ class _Utterance:
             # "To Alpha, Beta, Gamma" is a list.
             is_list = start - 4 >= begin and self._words[start - 3] == "," and self._names.at(self._words, start - 4)[0]
             return self._words[start - 2] not in self._single["prepositions"] and not is_list
-        if before in self._single["before_last_names"] or (
-            Kind.BOTH in group.kinds or (Kind.EVERYBODY in group.kinds and len(self._words[start:]) > 1)
+        if (
+            self._calls.ends_amount(start)
+            or before in self._single["before_last_names"]
+            or (Kind.BOTH in group.kinds or (Kind.EVERYBODY in group.kinds and len(self._words[start:]) > 1))
         ):
             return before not in self._single["prepositions"] and before not in self._verbs
         first = self._words[begin]
@@ -347,6 +389,8 @@ class _Utterance:
             if self._words[start - 1] != ",":
                 continue
             group, behind = group_at(self._words[:end], start, self._names)
+            if group is None:
+                group, behind = self._unknown_at(start, end)
             if group is None or behind >= end or self._words[behind] != ",":
                 continue
             if self._names.at(self._words, start - 2)[0] or self._words[start - 2] in self._single["prepositions"]:

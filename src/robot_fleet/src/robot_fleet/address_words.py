@@ -36,11 +36,25 @@ class Phrases:
 
 @dataclass(frozen=True)
 class AddressWords:
-    """The lists of the file: ``designators`` by kind, ``phrases`` and ``words`` by the name of their list."""
+    """The lists of the file: ``designators`` by kind, ``phrases`` and ``words`` by the name of their list.
+
+    Attributes:
+        designators: words for robots without a name, by their kind
+        phrases: the other lists
+        words: the same as sets
+        numbers: "three", by the word
+        ordinals: "third", by the word
+        sounds_like: the number that a word after a title may stand for
+        of_you: the form of a modal with "you"
+    """
 
     designators: Mapping[str, Phrases]
     phrases: Mapping[str, Phrases]
     words: Mapping[str, FrozenSet[str]]
+    numbers: Mapping[str, int]
+    ordinals: Mapping[str, int]
+    sounds_like: Mapping[str, str]
+    of_you: Mapping[str, str]
 
 
 @lru_cache(maxsize=None)
@@ -48,8 +62,14 @@ def address_words() -> AddressWords:
     """Return the words; the file is read once."""
     content = yaml.safe_load(read_text(str(ADDRESSES_FILE)))
     designators = content.pop("designators")
+    numbers, ordinals = ({word: at for at, word in enumerate(content.pop(name))} for name in ("numbers", "ordinals"))
+    sounds_like, of_you = content.pop("sounds_like"), content.pop("of_you")
     return AddressWords(
         designators={kind: Phrases(phrases) for kind, phrases in designators.items()},
         phrases={name: Phrases(phrases) for name, phrases in content.items()},
         words={name: frozenset(phrases) for name, phrases in content.items()},
+        numbers=numbers,
+        ordinals=ordinals,
+        sounds_like=sounds_like,
+        of_you=of_you,
     )

@@ -4,11 +4,14 @@ import math
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple, Union
 
+from command_server.cries import Kind as Cries
 from command_server.stop_words import find_cry
 from roboframenet_ros.spoken_text import with_capital
-from robot_fleet.address_text import Part, split_by_address, unknown_address
+from robot_fleet.address_text import Part, split_by_address
 from robot_fleet.address_words import address_words
-from robot_fleet.designators import Group, Kind, Names, tokens_of
+from robot_fleet.designators import Group, Kind, tokens_of
+from robot_fleet.robot_names import Names, is_titled
+from robot_fleet.stops import stopped_by
 
 #: More names than this are not listed in a question.
 _MOST_LISTED = 6
@@ -109,10 +112,17 @@ class Dialogue:
 
 @dataclass(frozen=True)
 class Addressed:
-    """The orders of an utterance; ``dialogue`` is the state after it."""
+    """The orders of an utterance.
+
+    Attributes:
+        orders: who does what
+        dialogue: the state after it
+        remark: what the reply says before the answers: of a stop, who is not here; empty for nothing
+    """
 
     orders: Tuple[Order, ...]
     dialogue: Dialogue
+    remark: str = ""
 
 
 @dataclass(frozen=True)
@@ -161,9 +171,12 @@ def others_addressed(text: str, robot: str, names: Names, verbs: FrozenSet[str])
     """
     groups = [part.group for part in split_by_address(text, names, verbs)]
     named = [
-        group.names
+        group.names + group.unknown
         for group in groups
-        if group is not None and group.kinds == {Kind.NAME} and robot not in group.names and not group.excepted
+        if group is not None
+        and group.kinds <= {Kind.NAME, Kind.UNKNOWN}
+        and robot not in group.names
+        and not group.excepted
     ]
     return tuple(dict.fromkeys(name for group_names in named for name in group_names))
 
@@ -221,27 +234,60 @@ class _Addressing:
         if not company.robots:
             return self._reply("NO_ROBOT", "No robot is here.")
         names = company.names
-        unknown = unknown_address(text, names, company.verbs)
-        if unknown:
-            return self._reply("UNKNOWN_ROBOT", f'No robot is called "{unknown}". Here are {listed(company.present)}.')
         parts = split_by_address(text, names, company.verbs)
         if len(parts) == 1 and self._before.pending is not None:
             answered = self._answer(parts[0], self._before.pending)
             if answered is not None:
                 return answered
+        stopped = stopped_by(text, company.present, names)
+        if stopped:
+            return self._stop(parts, stopped)
         orders: List[Order] = []
         for part in parts:
             found = self._order(part, orders)
             if isinstance(found, _Open):
                 return self._ask(found, text if len(parts) > 1 else part.text, whole=len(parts) > 1)
             orders.append(found)
+        # "Thanks, Alpha. Beta, come here." tells Alpha nothing.
+        orders = [order for order in orders if order.text] or orders[:1]
         spoken_to = tuple(dict.fromkeys(name for order in orders for name in order.robots))
         if len(orders) == 1 and not orders[0].text:
             attentive = replace(self._before, last=spoken_to, pending=None)
             are = "are" if len(spoken_to) > 1 else "is"
             return Unaddressed("ATTENTION", f"{listed(spoken_to)} {are} listening.", attentive)
-        is_cry = parts[0].group is None and find_cry(parts[0].text) is not None
-        return Addressed(tuple(orders), self._after(orders, spoken_to, is_cry=is_cry))
+        return Addressed(tuple(orders), self._after(orders, spoken_to))
+
+    def _stop(self, parts: Sequence[Part], stopped: Tuple[str, ...]) -> Addressed:
+        """Return the orders of an utterance that stops robots, which their stop servers have done already.
+
+        Whoever they stop is named in the reply, also if the words are not clear; whom the words name and who is not
+        here, too.
+        """
+        orders: List[Order] = []
+        remarks: List[str] = []
+        crying: List[str] = []
+        for part in parts:
+            is_cry = find_cry(part.text) is not None
+            found = self._order(part, orders)
+            if isinstance(found, _Open):
+                missing = _missing(part.group, self._company) if part.group is not None else ""
+                remarks.append(missing or ("" if is_cry else f'I did not do this: "{part.text}". {found.sentence}'))
+                names = part.group.names if part.group is not None and is_cry else ()
+                found = Order(tuple(name for name in names if name in stopped), part.text)
+            if is_cry and not found.is_any:
+                crying += found.robots
+            if found.robots and not (is_cry and found.is_any):
+                orders.append(found)
+        others = tuple(name for name in stopped if name not in crying)
+        kinds = {cry.kind for cry in map(find_cry, [part.text for part in parts]) if cry is not None}
+        # What one robot is to forget, another one is not told.
+        if others and kinds != {Cries.FORGET}:
+            orders.append(Order(others, "Stop."))
+        spoken_to = tuple(dict.fromkeys(name for order in orders for name in order.robots))
+        is_unaddressed = parts[0].group is None and find_cry(parts[0].text) is not None
+        dialogue = self._after(orders, spoken_to, is_cry=is_unaddressed or bool(others))
+        remark = " ".join(dict.fromkeys(filter(None, remarks)))
+        return Addressed(tuple(orders), dialogue, remark)
 
     def _after(self, orders: Sequence[Order], spoken_to: Tuple[str, ...], *, is_cry: bool = False) -> Dialogue:
         last = orders[-1].robots if len(orders) > 1 and not orders[-1].is_any else spoken_to
@@ -319,9 +365,9 @@ class _Addressing:
         present = self._company.present
         last = self._before.last if last is None else last
         others = tuple(name for name in present if name not in last)
-        away = [name for name in (*group.names, *group.excepted) if name not in present]
-        if away:
-            return _Open("NO_ROBOT", f"{listed(away)} {'are' if len(away) > 1 else 'is'} not here.")
+        missing = _missing(group, self._company)
+        if missing:
+            return _Open("UNKNOWN_ROBOT" if group.unknown else "NO_ROBOT", missing)
         found: List[str] = list(group.names)
         if Kind.EVERYBODY in group.kinds:
             found += present
@@ -362,6 +408,25 @@ class _Addressing:
         if self._near is None or robot.place is None:
             return math.inf
         return math.hypot(robot.place[0] - self._near[0], robot.place[1] - self._near[1])
+
+
+def _missing(group: Group, company: Company) -> str:
+    """Return a sentence about those whom a group names and who are not here; empty if all are."""
+    away = [name for name in group.names if name not in company.present]
+    sentences = [f"{listed(away)} {'are' if len(away) > 1 else 'is'} not here."] if away else []
+    if group.unknown:
+        nobody = " and ".join(f"no {_described(said)}" for said in group.unknown)
+        known = f"; I know {listed(company.present)}" if len(company.robots) <= _MOST_LISTED else ""
+        sentences.append(f"There is {nobody} here{known}.")
+    return " ".join(sentences)
+
+
+def _described(said: str) -> str:
+    """Return what was said of an unknown robot for a sentence: "robot four", "fourth robot", "robot called Luna"."""
+    words = [token.word for token in tokens_of(said)]
+    if any(is_titled(words, at) for at in range(1, len(words) + 1)):
+        return said
+    return said if words[-1:] == ["one"] else f"robot called {with_capital(said)}"
 
 
 def _choice(names: Sequence[str]) -> str:

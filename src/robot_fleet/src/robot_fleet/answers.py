@@ -1,8 +1,8 @@
 """One answer of several robots, and the order in which they are asked."""
 
 import enum
-from dataclasses import dataclass, field, replace
-from typing import Dict, List, Sequence, Tuple
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, Dict, List, Mapping, Sequence, Tuple
 
 from robot_fleet.addressing import Order, listed
 
@@ -49,10 +49,12 @@ class OpenUtterance:
 
     Attributes:
         orders: its orders
+        remark: what the reply says before the answers; empty for nothing
         answers: those that count
     """
 
     orders: Tuple[Order, ...]
+    remark: str = ""
     answers: List[Answer] = field(default_factory=list)
     _waiting: Dict[Tuple[int, str], None] = field(default_factory=dict)
     _begun: int = 0
@@ -87,6 +89,35 @@ class OpenUtterance:
         self.answers.append(answer)
         return self.begin()
 
+    def record(self) -> Dict[str, Any]:
+        """Return it as JSON can hold it."""
+        return {
+            "orders": [asdict(order) for order in self.orders],
+            "remark": self.remark,
+            "answers": [{**asdict(answer), "outcome": int(answer.outcome)} for answer in self.answers],
+            "waiting": [list(one) for one in self._waiting],
+            "begun": self._begun,
+            "tried": list(self._tried.items()),
+        }
+
+    @classmethod
+    def of_record(cls, record: Mapping[str, Any]) -> "OpenUtterance":
+        """Return the one of a record.
+
+        Raises:
+            KeyError: a value is missing
+            TypeError: a value is of a wrong type
+            ValueError: a value cannot be
+        """
+        return cls(
+            orders=tuple(Order(**{**order, "robots": tuple(order["robots"])}) for order in record["orders"]),
+            remark=str(record["remark"]),
+            answers=[Answer(**{**answer, "outcome": Outcome(answer["outcome"])}) for answer in record["answers"]],
+            _waiting={(int(order), str(robot)): None for order, robot in record["waiting"]},
+            _begun=int(record["begun"]),
+            _tried={int(order): int(count) for order, count in record["tried"]},
+        )
+
     @property
     def waiting(self) -> Tuple[Tuple[int, str], ...]:
         """The orders and robots whose answers are missing."""
@@ -107,7 +138,7 @@ class OpenUtterance:
         sentence = _told(sorted(self.answers, key=lambda one: addressed.index(one.robot)))
         for order in self.orders[self._begun :]:
             sentence += f' I did not ask {listed(order.robots)} to do this: "{order.text}".'
-        return replace(worst, sentence=sentence)
+        return replace(worst, sentence=f"{self.remark} {sentence}".strip())
 
 
 def _told(answers: Sequence[Answer]) -> str:

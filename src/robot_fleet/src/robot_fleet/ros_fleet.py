@@ -7,17 +7,19 @@ from typing import Dict, FrozenSet, Optional, Set, Tuple, Union
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import Fleet, FleetMember, FleetRobot, FleetService, Lexicon, Reply, World
+from roboframenet_msgs.msg import CommandStatus, Fleet, FleetMember, FleetRobot, FleetService, Lexicon, Reply, World
 from std_msgs.msg import String
 
 from command_server.inbox import Inbox
 from command_server.ros_command_action import CommandActionServer
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_robots import is_robot_name
 from robot_fleet.addressing import Company, Robot
 from robot_fleet.places import Place, place_in
+from robot_fleet.ros_out import RepliesOut, TakenOut
 from robot_fleet.ros_robots import RobotLinks, ServiceWatch
 from robot_fleet.ros_utterances import Utterances
 from robot_fleet.roster import Roster
@@ -49,6 +51,12 @@ class _Begun:
 
 
 @dataclass(frozen=True)
+class _Status:
+    robot: str
+    status: CommandStatus
+
+
+@dataclass(frozen=True)
 class _Answered:
     command_id: str
     reply: Reply
@@ -56,15 +64,16 @@ class _Answered:
 
 #: The robots with what they are called, and those that have left.
 _List = Tuple[Tuple[Tuple[str, Tuple[str, ...]], ...], Tuple[str, ...]]
-_Event = Union[_Said, _Cancelled, _Begun, _Answered, FleetMember, None]
+_Event = Union[_Said, _Cancelled, _Begun, _Answered, _Status, FleetMember, None]
 
 
 class FleetNode:
     """Knows who is there, decides who is meant, and answers once.
 
     Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
-    ``<robot>/command/result``, ``<robot>/command/feedback``. Publishes: ``reply``, ``fleet`` (latched),
-    ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``. Actions: ``command``.
+    ``<robot>/command/result``, ``<robot>/command/feedback``, ``<robot>/status``. Publishes: ``reply``, ``text_taken``,
+    ``fleet`` and ``fleet_started`` (latched), ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``.
+    Actions: ``command``.
     """
 
     def __init__(self, settings: FleetSettings) -> None:
@@ -74,15 +83,17 @@ class FleetNode:
         self._links = RobotLinks(
             lambda command_id, reply: self._events.put(_Answered(command_id, reply)),
             lambda command_id: self._events.put(_Begun(command_id)),
+            lambda robot, status: self._events.put(_Status(robot, status)),
         )
-        self._utterances = Utterances(settings, self._links, self._reply_to)
+        self._utterances = Utterances(settings, self._links, self._reply_to, KeptValue("~open_utterances"))
         self._verbs: FrozenSet[str] = frozenset()
         self._places: Tuple[Tuple[str, Place], ...] = ()
         self._told_s = self._listed_s = 0.0
         self._was_up = False
         self._listed: Optional[_List] = None
         self._text_ids = TextIds(TextSource.TEXT)
-        self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
+        self._replies = RepliesOut()
+        self._taken = TakenOut()
         self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
         self._life = rospy.Publisher("fleet_service", FleetService, queue_size=5)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
@@ -95,6 +106,9 @@ class FleetNode:
     def start(self) -> None:
         """Take part."""
         rospy.on_shutdown(self._shutdown)
+        for command in self._utterances.take_over():
+            rospy.loginfo("cmd=%s was open when this node ended", command.id)
+            self._taken.tell(command.id, command.text)
         self._worker.start()
         self._subscribers = [
             rospy.Subscriber("fleet_member", FleetMember, self._events.put, queue_size=1000),
@@ -102,6 +116,7 @@ class FleetNode:
             rospy.Subscriber("text", String, self._hear_text, queue_size=100),
         ]
         self._action.start()
+        self._taken.tell_start()
 
     def health(self) -> Health:
         """How the node is."""
@@ -112,6 +127,7 @@ class FleetNode:
     def _shutdown(self) -> None:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
+        self._utterances.close()
 
     def _hear_text(self, message: String) -> None:
         self._events.put(_Said(message.data, self._text_ids.next_id()))
@@ -142,6 +158,9 @@ class FleetNode:
                 self._utterances.lose(robot)
             self._utterances.end_undelivered(self._roster.absent)
             self._utterances.send()
+            self._utterances.save()
+            self._replies.turn()
+            self._taken.turn()
             self._tell()
             self._list()
 
@@ -151,12 +170,17 @@ class FleetNode:
                 self._action.accept(event.handle)
             near = place_in(event.text, self._places)
             self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
+            # Whatever ends this node from now on, it is answered.
+            self._utterances.save()
+            self._taken.tell(event.command_id, event.text)
         elif isinstance(event, _Cancelled):
             self._utterances.cancel(event.command_id)
         elif isinstance(event, _Begun):
             self._utterances.hear_begun(event.command_id)
         elif isinstance(event, _Answered):
             self._utterances.hear(event.command_id, event.reply)
+        elif isinstance(event, _Status):
+            self._utterances.hear_status(event.robot, event.status)
         elif isinstance(event, FleetMember) and is_robot_name(event.name):
             if self._roster.hear(event.name, event, now_s=time.monotonic()):
                 rospy.loginfo("%s has joined", event.name)
@@ -180,7 +204,7 @@ class FleetNode:
 
     def _reply_to(self, reply: Reply) -> None:
         rospy.loginfo("cmd=%s %s: %s", reply.command.id, reply.code, reply.sentence)
-        self._reply.publish(reply)
+        self._replies.publish(reply)
         self._action.finish(reply, command_id=reply.command.id)
 
     def _tell(self) -> None:

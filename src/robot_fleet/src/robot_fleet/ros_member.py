@@ -24,6 +24,7 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import ROBOT_NAME, own_robot
 from robot_fleet.loss import Act, Hearing, Policy
+from robot_fleet.ros_untaken import UntakenOfFleet
 from robot_fleet.settings import MemberSettings
 
 _JOIN_TIMEOUT_S = 2.0
@@ -32,8 +33,8 @@ _JOIN_TIMEOUT_S = 2.0
 class FleetMemberNode:
     """Tells of the robot in whose namespace it runs.
 
-    Subscribes: ``fleet_service``, ``status``, ``odom``. Publishes: ``fleet_member``, ``text`` ("Stop.") and
-    ``<home_server>/goal`` by its policy.
+    Subscribes: ``fleet_service``, ``status``, ``odom``, and what `UntakenOfFleet` does. Publishes: ``fleet_member``,
+    ``fleet_reply``, and by its policy ``text`` ("Stop.") and ``<home_server>/goal``.
     """
 
     def __init__(self, robot: str, settings: MemberSettings) -> None:
@@ -51,6 +52,7 @@ class FleetMemberNode:
             if not settings.home_server or not settings.home_frame:
                 raise ParameterError("on_loss go_home needs home_server and home_frame")
             self._home = rospy.Publisher(f"{settings.home_server}/goal", FilledSemanticFrameActionGoal, queue_size=1)
+        self._untaken = UntakenOfFleet(robot)
         self._is_closing = threading.Event()
         self._worker = threading.Thread(target=self._work, name="fleet_member", daemon=True)
 
@@ -62,6 +64,7 @@ class FleetMemberNode:
             rospy.Subscriber("status", CommandStatus, self._hear_status, queue_size=1),
             rospy.Subscriber("odom", Odometry, self._hear_odometry, queue_size=1),
         ]
+        self._untaken.start()
         self._worker.start()
 
     def health(self) -> Health:
@@ -99,6 +102,7 @@ class FleetMemberNode:
             if self._home_s is not None and time.monotonic() >= self._home_s:
                 self._home_s = None
                 self._go_home()
+            self._untaken.turn()
             self._tell()
 
     def _do(self, act: Act) -> None:

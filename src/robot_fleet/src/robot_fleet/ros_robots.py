@@ -5,6 +5,7 @@ from typing import Callable, Dict, Optional, Set
 import rospy
 from actionlib_msgs.msg import GoalID
 from roboframenet_msgs.msg import (
+    CommandStatus,
     ExecuteCommandActionFeedback,
     ExecuteCommandActionGoal,
     ExecuteCommandActionResult,
@@ -14,13 +15,15 @@ from roboframenet_msgs.msg import (
     Reply,
 )
 
-from roboframenet_ros.ros_robots import OfEachRobot, topic_of
+from roboframenet_ros.ros_robots import OfEachRobot, is_robot_name, topic_of
 from roboframenet_ros.ros_server_links import ServerLinks, newest_link
 
 #: Called with the id of a command and its reply.
 OnReply = Callable[[str, Reply], None]
 #: Called with the id of a command that a robot has begun.
 OnBegun = Callable[[str], None]
+#: Called with the name of a robot and what it does.
+OnStatus = Callable[[str, CommandStatus], None]
 
 
 class _Link:
@@ -52,20 +55,40 @@ class RobotLinks:
     """Sends commands to robots; each command is sent once.
 
     Publishes: ``<robot>/command/goal``, ``<robot>/command/cancel``. Subscribes: ``<robot>/command/result``,
-    ``<robot>/command/feedback``.
+    ``<robot>/command/feedback``, and for some time ``<robot>/status``.
     """
 
-    def __init__(self, on_reply: OnReply, on_begun: OnBegun) -> None:
+    def __init__(self, on_reply: OnReply, on_begun: OnBegun, on_status: OnStatus) -> None:
         """
         Args:
             on_reply: called with the id of a command and its reply, in a thread of rospy
             on_begun: called with the id of a command when its robot tells of it, again and again, in a thread of rospy
+            on_status: called with the name of a robot that is watched and what it does, in a thread of rospy
         """
+        self._on_status = on_status
+        self._watched: Dict[str, rospy.Subscriber] = {}
         self._links: OfEachRobot[_Link] = OfEachRobot(lambda robot: _Link(robot, on_reply, on_begun))
 
     def prepare(self, robot: str) -> None:
         """Open the topics of a robot."""
         self._links.get(robot)
+
+    def watch(self, robot: str) -> None:
+        """Hear what a robot does."""
+        self.prepare(robot)
+        if robot not in self._watched and is_robot_name(robot):
+            self._watched[robot] = rospy.Subscriber(
+                topic_of(robot, "status"),
+                CommandStatus,
+                lambda message: self._on_status(robot, message),
+                queue_size=1,
+            )
+
+    def unwatch(self, robot: str) -> None:
+        """Hear it no more."""
+        watched = self._watched.pop(robot, None)
+        if watched is not None:
+            watched.unregister()
 
     def send(self, robot: str, text: str, *, command_id: str) -> bool:
         """Send a command; returns False if the robot is not connected yet."""

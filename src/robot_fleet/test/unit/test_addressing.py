@@ -6,9 +6,9 @@ import pytest
 
 from robot_fleet.addressing import Addressed, Company, Dialogue, Order, Robot, Unaddressed, address, others_addressed
 from robot_fleet.answers import Answer, OpenUtterance, Outcome
-from robot_fleet.designators import Names
 from robot_fleet.loss import Act, Hearing, Policy
 from robot_fleet.places import place_in
+from robot_fleet.robot_names import Names
 from robot_fleet.roster import Roster
 from robot_fleet.stops import stops
 

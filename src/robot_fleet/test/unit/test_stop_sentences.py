@@ -38,7 +38,7 @@ TABLE = (
     ("Stop all robots!", "alpha beta gamma"),
     ("Stop everyone but Alpha.", "beta gamma"),
     ("Stop Alpha. Beta, go to the kitchen.", "alpha"),
-    ("Stop Alpha, and Beta, go to the kitchen.", "alpha beta gamma"),
+    ("Stop Alpha, and Beta, go to the kitchen.", "alpha"),
     ("Stop Alpha and go back.", "alpha"),
     ("Beta, turn left, and stop Alpha.", "alpha"),
     ("Alpha, stop Beta.", "alpha beta"),

@@ -12,6 +12,8 @@ from robot_stop.servers import Server, shown_names
 
 #: A goal that was stamped so soon after a stop may belong to a command from before it; the executor sends none so soon.
 RACE_NS = 50_000_000
+#: The clock was set back, as simulators do, if it shows a time that is so much earlier than the stop.
+SET_BACK_NS = 200_000_000
 
 
 @dataclass(frozen=True)
@@ -158,6 +160,7 @@ class _Active:
     settle_s: float
     old_ids: FrozenSet[str]
     told: Optional[Obedience] = None
+    is_of_old_clock: bool = False
 
 
 @dataclass(frozen=True)
@@ -208,13 +211,19 @@ class Braking:
         """Drop a stop that another node carries out."""
         self._stops = [stop for stop in self._stops if stop.order.key != key]
 
-    def look(self, evidence: Evidence) -> Look:
-        """Judge the stops by the present evidence."""
+    def look(self, evidence: Evidence, *, now_ns: int) -> Look:
+        """Judge the stops by the present evidence.
+
+        Args:
+            evidence: what is observed now
+            now_ns: nanoseconds of ROS time
+        """
         findings: List[Finding] = []
         kept: List[_Active] = []
         repeated: Optional[StopOrder] = None
         for index, stop in enumerate(self._stops):
             is_newest = index == len(self._stops) - 1
+            stop.is_of_old_clock = stop.is_of_old_clock or was_set_back(stop.order, now_ns)
             obedience = self._obedience(stop, evidence)
             is_repeated = is_newest and self._is_to_repeat(stop, obedience, evidence)
             is_first = stop.told is None
@@ -245,7 +254,8 @@ class Braking:
         servers = shown_names(
             goal.server.name
             for goal in evidence.goals
-            if stop.order.covers(goal.server) and (goal.goal_id in stop.old_ids or goal.stamp_ns <= stop.order.stamp_ns)
+            if stop.order.covers(goal.server)
+            and (goal.goal_id in stop.old_ids or (goal.stamp_ns <= stop.order.stamp_ns and not _is_new(goal, stop)))
         )
         drivers = (
             ()
@@ -264,4 +274,11 @@ class Braking:
 
 
 def _is_new(goal: LiveGoal, stop: _Active) -> bool:
-    return goal.goal_id not in stop.old_ids and goal.stamp_ns > stop.order.stamp_ns + RACE_NS
+    is_later = goal.stamp_ns > stop.order.stamp_ns + RACE_NS
+    is_of_new_clock = stop.is_of_old_clock and goal.stamp_ns < stop.order.stamp_ns - SET_BACK_NS
+    return goal.goal_id not in stop.old_ids and (is_later or is_of_new_clock)
+
+
+def was_set_back(order: StopOrder, now_ns: int) -> bool:
+    """Whether the clock was set back since a stop: what is said now has an earlier stamp, and is no older."""
+    return now_ns < order.stamp_ns - SET_BACK_NS

@@ -10,7 +10,7 @@ import rospy
 from actionlib_msgs.msg import GoalID
 
 from roboframenet_ros.suspension import SuspensionWatch
-from robot_stop.braking import BrakeLimits, Braking, Evidence, Finding, StopOrder
+from robot_stop.braking import BrakeLimits, Braking, Evidence, Finding, StopOrder, was_set_back
 from robot_stop.ros_servers import Servers
 from robot_stop.ros_velocity import Velocities
 from robot_stop.settings import BrakeSettings
@@ -141,18 +141,20 @@ class Brake:
         self._on_braked(Braked(order=order, cancelled=tuple(cancelled), took_s=took_s, is_just_awake=is_just_awake))
 
     def _look(self) -> None:
-        look = self._braking.look(self._evidence())
+        now_ns = rospy.Time.now().to_nsec()
+        look = self._braking.look(self._evidence(), now_ns=now_ns)
         self._velocities.hold(look.repeated is not None)
         if look.repeated is not None:
-            self._repeat(look.repeated)
+            self._repeat(look.repeated, now_ns)
         for finding in look.findings:
             self._on_finding(finding)
 
-    def _repeat(self, order: StopOrder) -> None:
+    def _repeat(self, order: StopOrder, now_ns: int) -> None:
         """Repeat the stop for goals and velocities that were on their way when it was heard."""
         self._velocities.stop()
         # A cancel without a stamp would also cancel a command that was given after the stop.
-        if order.stamp_ns:
+        # So would the stamp of a clock that was set back.
+        if order.stamp_ns and not was_set_back(order, now_ns):
             self.servers.cancel(self._up_to(order), order)
 
     def _evidence(self) -> Evidence:

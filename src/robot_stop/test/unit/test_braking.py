@@ -20,13 +20,15 @@ class Robot:
 
     def __init__(self, evidence=Evidence(), *, orders=(STOP,), **limits):
         self.now_s = 1000.0
+        self.ros_now_ns = STOP.stamp_ns
         self.braking = Braking(BrakeLimits(**limits), now=lambda: self.now_s)
         for order in orders:
             self.braking.begin(order, evidence)
 
     def look(self, evidence=Evidence(), *, after_s=0.0):
         self.now_s += after_s
-        return self.braking.look(evidence(self.now_s) if callable(evidence) else evidence)
+        seen = evidence(self.now_s) if callable(evidence) else evidence
+        return self.braking.look(seen, now_ns=self.ros_now_ns)
 
 
 def driving(*, period_s=None, ago_s=0.0, goals=()):
@@ -128,6 +130,25 @@ def test_goal_stamped_at_the_stop_is_neither_old_nor_new():
     look = robot.look(Evidence(goals=(LiveGoal(TURN, "race", STOP.stamp_ns + 1_000_000),)), after_s=0.2)
     assert look.repeated == STOP
     assert look.findings[0].obedience.is_complete
+
+
+def test_goal_of_a_clock_that_was_set_back_is_new_and_one_from_before_is_not():
+    robot = Robot(Evidence(goals=(OLD,)))
+    robot.ros_now_ns = 10 * SECOND_NS
+    new = LiveGoal(TURN, "new", stamp_ns=10 * SECOND_NS)
+    late = LiveGoal(TURN, "late", stamp_ns=STOP.stamp_ns - 1)
+    look = robot.look(Evidence(goals=(OLD, late)), after_s=1.0)
+    assert look.repeated == STOP and look.findings[0].obedience.servers == ("/turn",)
+    # The time may have reached that of the stop again.
+    robot.ros_now_ns = STOP.stamp_ns
+    look = robot.look(driving(goals=(new,)), after_s=0.1)
+    assert look.repeated is None and [finding.obedience.is_complete for finding in look.findings] == [True]
+
+
+def test_early_stamp_counts_as_old_while_the_clock_was_not_set_back():
+    robot = Robot()
+    look = robot.look(Evidence(goals=(LiveGoal(TURN, "unknown", stamp_ns=10 * SECOND_NS),)), after_s=1.0)
+    assert look.repeated == STOP and not look.findings[0].obedience.is_complete
 
 
 def test_order_for_frames_leaves_ordinary_clients_and_an_exception_alone():

@@ -8,7 +8,6 @@ from phrase_meanings.arguments import amount_argument, unit_argument
 from semantic_framer.attachment import is_direction, words_before_amount
 from semantic_framer.chosen_things import chosen, nearest_of
 from semantic_framer.clause_plan import PlanPart
-from semantic_framer.clock_times import clock_time_at
 from semantic_framer.dialogue import PRONOUNS, Pending, is_ignorant, is_indifferent, is_yes
 from semantic_framer.fragments import answering_words
 from semantic_framer.frame_roles import DIRECTION, GOAL, MESSAGE
@@ -24,6 +23,7 @@ from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from typed_arguments import TypedArgument
 from utterance_passes.amounts import Amount
 from utterance_passes.clauses import find_clauses
+from utterance_passes.clock_times import clock_time_at
 from utterance_passes.measures import find_amounts
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, field, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
-from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.condition_part import ConditionPart
 from semantic_framer.conditions import is_auxiliary, read_asked, read_condition
 from semantic_framer.deed_orders import deed_behind, end_order, item_order, times_at
@@ -12,6 +11,7 @@ from semantic_framer.joints import SENTENCE_ENDS, Joint, Joints, with_limits
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
 from spoken_quantities import QuantityError, parse_measure
+from utterance_passes.clock_times import ClockTime, clock_time_at
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree import Word
 from word_classes import word_class
@@ -340,9 +340,11 @@ class _Finder:
         if place and self.forms[place - 1] in _LIMITS:
             return None
         found = clock_time_at(self.forms[place:])
-        if found is None or not self._may_end(place, place + found.length, is_clock=False):
+        if found is None:
             return None
-        return found
+        words = {word.index for word in self.words[place : place + found.length]}
+        is_time = found.is_certain and any(words <= time for time in self.sentence.tree.times)
+        return found if is_time or self._may_end(place, place + found.length, is_clock=False) else None
 
     def _at(self, place: int, clock: ClockTime) -> Tuple[Optional[Joint], int]:
         end = place + clock.length

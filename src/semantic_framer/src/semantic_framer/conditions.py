@@ -8,7 +8,6 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
-from semantic_framer.clock_times import clock_time_at
 from semantic_framer.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
@@ -19,6 +18,7 @@ from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from semantic_types import Fit
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments import Measure, Source, TypedArgument
+from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import Word
 from word_classes import word_class
 

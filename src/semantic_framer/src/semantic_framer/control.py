@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.extra_phrases import left_over_groups
+from semantic_framer.frame_roles import DIRECTION
 from semantic_framer.iterations import times_said
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
@@ -24,6 +25,7 @@ GOING_ON = frozenset(
 #: Units of what is filled in without being said.
 _UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
 _EXACT = word_class("exact_adverbs")
+_LEFT_AND_RIGHT = word_class("left_and_right")
 _KEEPING = word_class("keeping_verbs")
 #: FrameNet's name of going somewhere, and its semantic type of places.
 _GOING, _PLACE = "Self_motion", "Location"
@@ -31,15 +33,19 @@ _GOING, _PLACE = "Self_motion", "Location"
 _DURATION, ITERATION = "Duration", "Iteration"
 
 
-def with_times(sentence: Sentence, clause: Clause, reading: Reading) -> Tuple[Reading, FrozenSet[int]]:
+def with_times(
+    sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame
+) -> Tuple[Reading, FrozenSet[int]]:
     """Take a number of times out of the left-over words of a reading.
 
     Args:
         sentence: the sentence
         clause: the clause of the reading
         reading: the reading
+        frame: its frame
     Returns:
-        the reading, and the positions of the words that say how often
+        the reading, and the positions of the words that say how often; the same reading for "once" behind a turn
+        of which nobody said how far it goes: "spin around once"
     """
     found = []
     for root in left_over_groups(sentence, clause, reading.left_over):
@@ -47,11 +53,19 @@ def with_times(sentence: Sentence, clause: Clause, reading: Reading) -> Tuple[Re
         times = _times(sentence, root, words)
         if times:
             found.append((times, words))
-    if len(found) != 1 or reading.control.count:
+    if len(found) != 1 or reading.control.count or (found[0][0] == 1 and _is_turn_assumed(reading, frame)):
         return reading, frozenset()
     times, words = found[0]
     left_over = tuple(index for index in reading.left_over if index not in words)
     return replace(reading, left_over=left_over, control=replace(reading.control, count=times)), words
+
+
+def _is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
+    """Whether nobody said how far to turn, nor to which side: "spin around *once*" says that it is no half turn."""
+    elements = {element.name for element in frame.frame_elements if element.quantity is Quantity.ANGLE}
+    direction = reading.argument_in_role(DIRECTION, frame)
+    is_said = direction is not None and direction.text.lower() in _LEFT_AND_RIGHT
+    return not is_said and any(one.source is Source.DEFAULT and one.name in elements for one in reading.arguments)
 
 
 def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
@@ -111,7 +125,8 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
         return reading
     if has_end(reading, frame) or reading.control.is_said or reading.missing:
         return reading
-    return replace(reading, control=replace(reading.control, is_kept_up=True))
+    positions = reading.control.positions | {before.index}
+    return replace(reading, control=replace(reading.control, is_kept_up=True, positions=positions))
 
 
 def has_end(reading: Reading, frame: SemanticFrame) -> bool:

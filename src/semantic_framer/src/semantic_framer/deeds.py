@@ -1,11 +1,11 @@
 """Reads the clauses of a sentence that are to be done, or refuses the sentence."""
 
-from typing import List, Optional, Sequence, Tuple
+from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.extra_phrases import prohibition_beside
 from semantic_framer.outcome import REPORT, LeftOverWords, Refusal
 from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause, with_extra
-from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict
+from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict, told_above
 from semantic_framer.verdicts import Case
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
@@ -56,6 +56,13 @@ def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
         elif trace is not None:
             trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
     return tuple(found)
+
+
+def words_told(case: Case, clauses: Sequence[ClauseReadings]) -> FrozenSet[int]:
+    """Return the positions of the words that only tell something, beside clauses that are to be done."""
+    read = [one.clause for one in clauses]
+    told = [clause for clause in case.clauses if clause not in read and case.is_background(clause)]
+    return frozenset().union(*(clause.positions | told_above(case, clause) for clause in told))
 
 
 def _is_before_command(case: Case, clause: Clause) -> bool:

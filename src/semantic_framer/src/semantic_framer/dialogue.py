@@ -8,7 +8,7 @@ from semantic_framer.reading import Reading
 from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree
 from utterance_passes.utterance_pass import Choice
-from word_classes import word_class
+from word_classes import agreement, word_class
 
 PRONOUNS = word_class("pronouns")
 #: The pronouns that may also be meant literally.
@@ -16,8 +16,6 @@ DEMONSTRATIVES = word_class("demonstrative_pronouns")
 PLACE_PRONOUNS = frozenset(["there"])
 #: "It" is one of the things that were mentioned last.
 MOST_THINGS = 5
-_AGREEMENTS = word_class("agreements")
-_REFUSALS = word_class("refusals")
 _IGNORANCE = word_class("ignorance")
 _INDIFFERENCE = word_class("indifference")
 
@@ -41,6 +39,7 @@ class Pending:
         unfinished: the sentence that lacks something behind its last word: "wait until"; None for none
         asked: id of the person who was asked; empty when anybody may answer
         open_time: words of the time that the question asks about, which stands at the root of the plan: "tomorrow"
+        question: the words of the question
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -56,6 +55,7 @@ class Pending:
     open_time: Tuple[str, ...] = ()
     unfinished: Optional[DependencyTree] = None
     asked: str = ""
+    question: str = ""
 
     def may_be_answered_by(self, speaker: str) -> bool:
         """Whether the answer of a person counts; that of somebody who is not known does."""
@@ -200,12 +200,12 @@ class Context:
 
 def is_yes(text: str) -> bool:
     """Whether an utterance agrees."""
-    return _bare(text) in _AGREEMENTS
+    return agreement(text) is True
 
 
 def is_no(text: str) -> bool:
     """Whether an utterance declines."""
-    return _bare(text) in _REFUSALS
+    return agreement(text) is False
 
 
 def is_indifferent(text: str) -> bool:

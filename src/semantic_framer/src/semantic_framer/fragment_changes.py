@@ -1,7 +1,7 @@
 """What a fragment leads to: the changed command, a question, or a refusal; and which command the next one changes."""
 
 from dataclasses import dataclass, replace
-from typing import Optional, Sequence
+from typing import FrozenSet, Optional, Sequence
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer.amending import Clauses, amended, measured
@@ -63,12 +63,14 @@ class Change:
         outcome: why nothing is done; None if the changed command is carried out
         clauses: readings of the changed command; empty with an outcome
         wants_yes: whether the person must first say yes
+        positions: of all words of the utterance with the fragment
     """
 
     note: str
     outcome: Optional[Outcome] = None
     clauses: Clauses = ()
     wants_yes: bool = False
+    positions: FrozenSet[int] = frozenset()
 
 
 def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, known: FramedLexicon) -> Optional[Change]:
@@ -114,8 +116,10 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     clauses = found[0]
     after = "; ".join(str(readings[0]) for readings in clauses)
     note = f"{fragment.kind.value}: {before} -> {after}"
+    # A fragment is read from end to end.
+    words = frozenset(word.index for word in sentence.tree.words)
     is_doubtful = (fragment.is_asked and not is_question) or _is_manner_of_amount(fragment, clauses, known)
-    return Change(note, clauses=clauses, wants_yes=is_doubtful)
+    return Change(note, clauses=clauses, wants_yes=is_doubtful, positions=words)
 
 
 def _one_more(fragment: Fragment, last: LastCommand) -> Optional[Fragment]:

@@ -22,7 +22,7 @@ from utterance_passes.formula_file import Formula, any_of, is_filler, load_formu
 from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.verb_matching import match_verbs
-from word_classes import word_class
+from word_classes import agreement, word_class
 
 #: Next to this module in the source, devel and install space.
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
@@ -44,7 +44,6 @@ KINDS = (
 )
 #: The most words of an opening or an ending.
 _LONGEST = 6
-_AGREEMENTS = word_class("agreements")
 _NOT = word_class("not")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
@@ -149,7 +148,7 @@ def fragment_of(
     core = " ".join(forms[first:last])
     positions = tuple(word.index for word in said[first:last])
     # "Right" alone agrees; "now right" and "no, right" do not.
-    if not core or (core in _AGREEMENTS and last - first == len(whole)):
+    if not core or (agreement(core) is True and last - first == len(whole)):
         return None
     kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
     if kind is not None:

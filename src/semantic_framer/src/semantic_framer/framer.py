@@ -1,7 +1,7 @@
 """Understands a parsed utterance: the result is clauses of readings, a refusal, or a question."""
 
 from dataclasses import replace
-from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
+from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
@@ -38,11 +38,13 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    lost_words_refusal,
 )
 from semantic_framer.plain_sentence import read_plain
 from semantic_framer.questions import remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
+from semantic_framer.said_words import RULE, words_left
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
@@ -56,6 +58,10 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import continued, lasting, said_after
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
+from word_classes import agreement
+
+#: Codes of refusals that end an open question: what it asks about is forbidden, taken back or put right.
+_ENDING_QUESTIONS = frozenset([PROHIBITION, CORRECTION, DECLINED])
 
 __all__ = [
     "Alternatives",
@@ -127,10 +133,13 @@ def hear(
     heard = _Hearing(now).hear(tree, context)
     pending = heard.context.pending
     if pending is not None and pending is not question:
-        pending = replace(pending, asked=speaker)
+        words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""
+        pending = replace(pending, asked=speaker, question=words)
     elif is_of_another:
         pending = question
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
+    if pending is question and not is_of_another and isinstance(outcome, Refusal):
+        pending = None if outcome.code in _ENDING_QUESTIONS else pending
     said = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
     last = last_command(outcome, heard.context.last, said_s, said)
     asked = _last_question(heard, said_s)
@@ -182,6 +191,14 @@ def _begun(heard: Heard, beginning: str) -> Heard:
     return replace(heard, context=replace(heard.context, pending=replace(heard.context.pending, beginning=beginning)))
 
 
+def _readings_of(heard: Heard, asked: Optional[Pending]) -> List[Reading]:
+    """Return the best reading of each clause that is done, or that is done after a yes to what the utterance asks."""
+    if isinstance(heard.outcome, Understood):
+        return [readings[0] for readings in heard.outcome.clauses]
+    kept = [read.kept[0] for read in heard.clauses if read.kept]
+    return [*kept, *(readings[0] for readings in asked.clauses)] if asked is not None else kept
+
+
 class _Hearing:
     """Understands one utterance."""
 
@@ -190,6 +207,23 @@ class _Hearing:
         self._trace = now.trace
 
     def hear(self, tree: DependencyTree, context: Context) -> Heard:
+        """Understand an utterance, and refuse it if a word of it is lost."""
+        heard = self._understood(tree, context)
+        policy, sentence = self._now.policy, heard.sentence
+        if policy.left_over_words not in CAREFUL or sentence is None or heard.is_answer:
+            return heard
+        asked = heard.context.pending if heard.context.pending is not context.pending else None
+        if not isinstance(heard.outcome, Understood) and (asked is None or not asked.clauses):
+            return heard
+        is_asked = isinstance(heard.outcome, Question)
+        lost = words_left(sentence.tree, _readings_of(heard, asked), heard.named, is_asked=is_asked)
+        if not lost:
+            return heard
+        self._now.write(RULE, " ".join(lost), "refused. Nothing that was understood has these words.")
+        refused = replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
+        return self._with_open(context.pending, sentence, refused) if context.pending is not None else refused
+
+    def _understood(self, tree: DependencyTree, context: Context) -> Heard:
         """Take an utterance as an answer to the open question, if it is one, or as a command."""
         meant = self._restructured(tree, FRAMER_TREE_PASSES)
         pending = context.pending
@@ -202,11 +236,36 @@ class _Hearing:
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
-        known, policy = self._now.known, self._now.policy
+        heard = self._answered(meant, pending, context)
+        return heard if heard is not None else self._with_open(pending, meant, self._read_in_world(meant, context))
+
+    def _with_open(self, pending: Pending, meant: Sentence, heard: Heard) -> Heard:
+        """Keep a question open beside which only something else was said: talk, a question, or what is not understood.
+
+        A new command, or a new question to the person, takes its place.
+        """
+        outcome, frames = heard.outcome, self._now.known.frames
+        if heard.context.pending is not None or not pending.question:
+            return heard
+        if isinstance(outcome, Understood):
+            best = [readings[0] for readings in outcome.clauses]
+            if not all(frames[reading.unit.frame_name].is_question for reading in best):
+                return heard
+        elif isinstance(outcome, Refusal) and outcome.code not in _ENDING_QUESTIONS:
+            said = outcome.sentence if agreement(meant.tree.text) is None else "That is no answer to my question."
+            heard = replace(heard, outcome=replace(outcome, sentence=f"{said} I still ask: {pending.question}"))
+        else:
+            return heard
+        self._now.write("answer", pending.question, "is still open")
+        return replace(heard, context=replace(heard.context, pending=pending))
+
+    def _answered(self, meant: Sentence, pending: Pending, context: Context) -> Optional[Heard]:
+        """Understand an utterance as an answer to the open question; None if it is none."""
+        tree, known, policy = meant.tree, self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
             if choice is None:
-                return self._read_in_world(meant, context)
+                return None
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
@@ -221,18 +280,25 @@ class _Hearing:
         if pending.open_time:
             plan = time_answered(meant, pending)
             if plan is None:
-                return self._read_in_world(meant, context)
+                return None
             self._now.write("answer", tree.text, str(plan))
-            return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan), meant)
+            settled = resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan)
+            return Heard(*settled, meant, is_answer=True)
+        asked = zip(pending.clauses[pending.clause], pending.elements)
+        elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
+        # "Right" may be a direction; any other yes names nothing: "that is what I want".
+        named = {value for one in elements if one is not None for value in one.values}
+        if elements and agreement(tree.text) and named.isdisjoint(word.form.lower() for word in tree.words):
+            return None
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
-            return self._read_in_world(meant, context)
+            return None
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
-        return _begun(Heard(*settled, meant), pending.beginning)
+        return _begun(Heard(*settled, meant, is_answer=True), pending.beginning)
 
     def _finished(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
         """Understand what is said behind an unfinished sentence; a sentence of its own if it does not finish that."""
@@ -312,12 +378,13 @@ class _Hearing:
             return self._read_command(sentence, context)
         self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
         heard = self._read_command(bare, context)
+        named = heard.named | begun.positions
         if isinstance(heard.outcome, Question):
             kept = tuple(read.kept for read in heard.clauses)
             told = with_end_told(kept, sentence, sorted(begun.positions), self._now.known)
             if told != kept:
                 heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
-        return _begun(heard, begun.kind)
+        return _begun(replace(heard, named=named), begun.kind)
 
     def _read_command(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a command; one that cannot be understood as it is may have conditions."""

@@ -19,7 +19,7 @@ _CONTINUING = word_class("continuing_verbs")
 #: Words between two deeds that belong to neither.
 JOINING = word_class("linking_conjunctions") | {";"}
 #: FrameNet's name of what only waits.
-_WAITING = "Waiting"
+WAITING = "Waiting"
 _ALL = word_class("determiners_of_all")
 _HERE = word_class("place_adverbs_of_waiting")
 
@@ -100,7 +100,7 @@ class LinkedClauses:
         """Whether a reading only waits: "wait here"."""
         frame = self._known.frames[reading.unit.frame_name]
         said = [argument for argument in reading.arguments if argument.positions]
-        if frame.framenet != _WAITING or reading.left_over or reading.extra or reading.missing:
+        if frame.framenet != WAITING or reading.left_over or reading.extra or reading.missing:
             return False
         return all(argument.text.lower() in _HERE for argument in said)
 

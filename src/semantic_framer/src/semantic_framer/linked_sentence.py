@@ -6,15 +6,14 @@ from typing import Optional, Sequence, Tuple, Union
 from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
-from semantic_framer.clock_times import clock_time_at
-from semantic_framer.deeds import deeds_of
+from semantic_framer.deeds import deeds_of, words_told
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.joints import Joints, may_be_of_last_choice
 from semantic_framer.link_file import LinkKind, shipped_links
-from semantic_framer.linked_clauses import NoStructure, Open, ends_what_runs, which_of_it
+from semantic_framer.linked_clauses import WAITING, NoStructure, Open, ends_what_runs, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import asked_of_hearer, with_persons
 from semantic_framer.news import with_news
@@ -22,12 +21,14 @@ from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, U
 from semantic_framer.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
+from semantic_framer.said_words import positions_named
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, resolve_and_confirm, without_positions
 from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.clauses import find_clauses
+from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import ASIDE, QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 from word_classes import word_class
@@ -91,6 +92,12 @@ def read_linked(
     parts = found_clauses(bare, find_clauses(left, now.known), now.known, now.trace)
     case = case_of(bare, parts, now.known, now.policy)
     refusal, clauses = deeds_of(case, now.trace)
+    waiting = positions_named(
+        reading
+        for read in clauses
+        for reading in read.kept
+        if now.known.frames[reading.unit.frame_name].framenet == WAITING
+    )
     if refusal is not None:
         return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
     clauses = tuple(replace(read, kept=_deeds_first(read.kept, now)) for read in clauses)
@@ -129,7 +136,8 @@ def read_linked(
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
         outcome, after = doubt, replace(context, pending=pending)
-    return Heard(outcome, after, sentence, clauses)
+    named = joints.positions.union(waiting, words_told(case, clauses), *(joint.items for joint in joints.found))
+    return Heard(outcome, after, sentence, clauses, named=named)
 
 
 def _asked_of_condition(

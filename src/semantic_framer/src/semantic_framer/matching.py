@@ -8,7 +8,6 @@ from semantic_framer.attachment import (
     behind_description,
     has_postmodifiers,
     is_all_at_first_of_two_places,
-    is_direction,
     is_later_item,
     is_of_one_direction,
     is_of_something,
@@ -25,9 +24,17 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
+from semantic_framer.default_values import is_no_place, is_said_otherwise
+from semantic_framer.frame_roles import DESCRIBED, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.measured_elements import is_setting, measured_elements, measures_as_in_2012, numeral_at
+from semantic_framer.measured_elements import (
+    asks_for_a_measure,
+    is_in_a_measure,
+    is_setting,
+    measured_elements,
+    measures_as_in_2012,
+    numeral_at,
+)
 from semantic_framer.reading import Reading
 from semantic_framer.required_relations import TOWARDS, lacks_all_required, may_have
 from semantic_framer.sentence import Sentence
@@ -74,6 +81,7 @@ def read_clause(
     """
     amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
+    is_measuring = any(asks_for_a_measure(unit) for match in matches for unit in known.lexicon.units_of(match.verb))
     for match in matches:
         for unit in known.lexicon.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
@@ -83,7 +91,7 @@ def read_clause(
                 if trace is not None:
                     write_unit(trace, sentence, match, unit, None, unit.relations)
                 continue
-            filling = _Filling(sentence, clause, unit, frame, match, amounts, known.without)
+            filling = _Filling(sentence, clause, unit, frame, match, amounts, known.without, is_measuring)
             reading = filling.reading()
             if trace is not None:
                 if reading is not None:
@@ -106,6 +114,7 @@ class _Filling:
         match: VerbMatch,
         amounts: Tuple[Amount, ...],
         without: FrozenSet[str],
+        is_measuring: bool,
     ) -> None:
         self._without = without
         self._sentence = sentence
@@ -114,6 +123,7 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
+        self._is_measuring = is_measuring
         #: How well a phrase fits the types of the relation that it fills, by element.
         self._fits: Dict[str, Fit] = {}
         self._heads: Dict[str, int] = {}
@@ -197,14 +207,12 @@ class _Filling:
                 head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
             ]
         for path in relation.relations:
-            if path in static:
-                heads = places if path == static[0] else []
-            else:
-                heads = self._follow(path, is_wanted)
+            heads = self._follow(path, is_wanted) if path not in static else places if path == static[0] else []
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
-                if is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()]):
+                is_later = is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()])
+                if is_later or is_no_place(self._sentence, head, self._frame):
                     continue
                 # "Until you are at the door": the door is no place of the verb.
                 if path.steps[-1].startswith("prep_") and self._sentence.word(head).deprel == "advcl":
@@ -221,11 +229,11 @@ class _Filling:
                 listed = listed or frozenset([head] if relation.is_limited and fit is Fit.LIKELY else [])
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
                 numeral = numeral_at(head, path, self._amounts) if not relation.words else None
-                if numeral is not None and numeral.is_doubtful:
-                    self._unread[relation.name] = (numeral,)
-                    return
                 if numeral is not None:
-                    self._numeral_of[relation.name] = numeral
+                    if numeral.is_doubtful:
+                        self._unread[relation.name] = (numeral,)
+                    else:
+                        self._numeral_of[relation.name] = numeral
                     return
                 is_measure = self._is_in_a_measure(head) and not is_setting(self._frame, relation, head, self._amounts)
                 if not relation.words and (is_measure or is_adverb):
@@ -244,16 +252,10 @@ class _Filling:
             self._note("reattached", self._sentence.subtree(head), f"{name} of the verb, not part of {governor}")
 
     def _is_in_a_measure(self, head: int) -> bool:
-        """Whether a word is part of a measure ("two degrees"), not a thing; a bare number may be one ("give me 5")."""
-        return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and (amount.unit or self._is_end(amount, head))
-            for amount in ([] if measures_as_in_2012(self._unit) else self._amounts)
+        return any(head in amount.positions for amount in self._amount_of.values()) or (
+            not measures_as_in_2012(self._unit)
+            and is_in_a_measure(self._sentence, head, self._amounts, is_measuring=self._is_measuring)
         )
-
-    def _is_end(self, amount: Amount, head: int) -> bool:
-        """Whether a word ends a range that includes its preposition: "fifteen" in "ten to fifteen"."""
-        cases = [child.index for child in self._sentence.children(head) if child.deprel == "case"]
-        return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
     def _is_core(self, name: str) -> bool:
         element = self._frame.element(name)
@@ -372,11 +374,10 @@ class _Filling:
         return tuple(found)
 
     def _is_said_otherwise(self, element: FrameElement) -> bool:
-        """Whether the clause says something for an element that cannot fill it; the default is not meant then."""
-        if element.framenet != DIRECTION:
-            return element.name in self._unread
         understood = frozenset(self._match.positions).union(*map(self._sentence.subtree, self._heads.values()))
-        return any(is_direction(self._sentence.tree, index) for index in self._clause.positions - understood)
+        return is_said_otherwise(
+            self._sentence, self._clause, self._frame, element, unread=self._unread, understood=understood
+        )
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""

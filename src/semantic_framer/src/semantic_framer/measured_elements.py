@@ -10,7 +10,7 @@ from semantic_frames.frame import Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
 from spoken_quantities import find_unit
-from utterance_passes.measures import Amount
+from utterance_passes.measures import Amount, stands_free
 
 _OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
 _NUMBERS_OF_2012 = frozenset(["num", "number", "nummod"])
@@ -70,7 +70,8 @@ def measured_elements(
         ]
         if not fitting:
             continue
-        if fitting[0].is_doubtful or (fitting[0].is_share and quantity is not Quantity.NUMBER):
+        is_number_of_step = _names_a_step(sentence, fitting[0], verb_positions)
+        if is_number_of_step or fitting[0].is_doubtful or (fitting[0].is_share and quantity is not Quantity.NUMBER):
             unread[relation.name] = tuple(fitting)
             continue
         free.remove(fitting[0])
@@ -97,6 +98,13 @@ def measured_elements(
     return MeasuredElements(amount_of, unread)
 
 
+def _names_a_step(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
+    """Whether a bare number right behind the verb numbers it: "*step 1:* go to the kitchen" has no step forward."""
+    unit = find_unit(sentence.word(verb_positions[-1]).form)
+    is_behind = amount.positions[0] == verb_positions[-1] + 1
+    return unit is not None and unit.is_assumed and is_behind and not amount.unit
+
+
 def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
     """Whether the verb includes a whole amount except articles: "make a turn", "pull a 180"; not "make half a turn"."""
     verb = frozenset(verb_positions)
@@ -110,6 +118,42 @@ def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence
         # "Take a step" says how far.
         return False
     return not amount.is_doubtful and bool(verb & frozenset(amount.positions)) and verb >= frozenset(own)
+
+
+def asks_for_a_measure(unit: LexicalUnit) -> bool:
+    """Whether a unit asks for an amount: how far, by how much, or for how long."""
+    return any(path.steps[-1] == MEASURE for relation in unit.relations for path in relation.relations)
+
+
+def is_in_a_measure(sentence: Sentence, head: int, amounts: Sequence[Amount], *, is_measuring: bool) -> bool:
+    """Whether a word is part of a measure ("two degrees"), and no thing.
+
+    Args:
+        sentence: the sentence
+        head: the word
+        amounts: the amounts of the clause
+        is_measuring: whether a unit of the verb asks for an amount; a number without a unit is one then ("wait for 5"),
+            and also one that is written on a word that is no unit ("3mnis"). Otherwise it is a thing ("give me 5")
+    """
+    word = sentence.word(head)
+    is_glued = any(
+        child.deprel == "nummod" and sentence.tree.is_glued(child.index, head) for child in sentence.children(head)
+    )
+    if is_measuring and word.upos == "NOUN" and is_glued:
+        return True
+    return any(
+        amount.unit
+        or _is_end(sentence, amount, head)
+        or (is_measuring and not amount.is_of_noun and stands_free(sentence.tree, head))
+        for amount in amounts
+        if head in amount.positions
+    )
+
+
+def _is_end(sentence: Sentence, amount: Amount, head: int) -> bool:
+    """Whether a word ends a range that includes its preposition: "fifteen" in "ten to fifteen"."""
+    cases = [child.index for child in sentence.children(head) if child.deprel == "case"]
+    return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
 
 def measures_as_in_2012(unit: LexicalUnit) -> bool:

@@ -40,7 +40,7 @@ from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 from roboframenet_ros.ros_stage import Stage
 from robot_fleet.addressing import listed, others_addressed, spoken
-from robot_fleet.designators import Names
+from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -129,7 +129,7 @@ class SemanticFramer:
         self._is_announced = False
         self._robots = Names({})
         self._world = World()
-        self._speaker = ""
+        self._speaker = settings.speaker
         self._problem_count = 0
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
@@ -212,7 +212,7 @@ class SemanticFramer:
 
     def _on_speaker(self, message: String) -> None:
         with self._lock:
-            self._speaker = message.data
+            self._speaker = message.data or self._settings.speaker
 
     def _on_world(self, message: WorldMessage) -> None:
         # The categories of the objects are looked up here, and not while a command waits.

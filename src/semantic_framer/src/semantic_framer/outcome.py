@@ -136,6 +136,16 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Se
     )
 
 
+def lost_words_refusal(sentence: Sentence, words: Sequence[str]) -> Refusal:
+    """Return the refusal of a sentence of which words are lost, by the words as they were said."""
+    said = join_with_and([f'"{word}"' for word in words])
+    return Refusal(
+        "LEFT_OVER_WORDS",
+        f'I do not understand {said} in "{sentence.tree.text.strip()}", so I do nothing.',
+        left_over=tuple(words),
+    )
+
+
 def not_to_be_done(sentence: Sentence, clause: Clause, said: str) -> Refusal:
     """Return the refusal of a clause that is negated, or excludes something: "go there, but *not through the hall*"."""
     left_out = sorted(excluded_phrase(sentence.tree, clause))

@@ -4,16 +4,17 @@ from dataclasses import replace
 from typing import Sequence, Tuple
 
 from semantic_framer.choices import choices_left_open
-from semantic_framer.deeds import deeds_of
+from semantic_framer.deeds import deeds_of, words_told
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.fragment_changes import Change, change_of
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import PROHIBITION, REPORT, TALK, LeftOverWords, Outcome, Question, Understood
+from semantic_framer.outcome import PROHIBITION, REPORT, TALK, LeftOverWords, Outcome, Question, Refusal, Understood
 from semantic_framer.persons_spoken_of import persons_told
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
 from semantic_framer.references import thing_told
+from semantic_framer.said_words import positions_named
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
@@ -22,6 +23,9 @@ from semantic_framer.things_asked_for import as_said, asked_for
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
 from utterance_passes.clauses import Clause, find_clauses
+from word_classes import agreement
+
+_NO_QUESTION = "I have no open question."
 
 
 def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
@@ -38,12 +42,16 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         now.write("utterance_kind", sentence.tree.text, str(kind))
         return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
     clauses_of_tree = find_clauses(sentence.tree, now.known)
+    if _answers_nothing(sentence, now):
+        kind = KindVerdict(UtteranceKind.TALK, "agreements")
+        now.write("utterance_kind", sentence.tree.text, str(kind))
+        return Heard(Refusal(TALK, _NO_QUESTION), context, sentence, is_small_talk=True)
     change = None
     if now.policy.fragment_timeout_s and "fragment" not in now.known.without:
         change = change_of(sentence, clauses_of_tree, context, now.known)
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
-        return Heard(*_changed(change, sentence, context, now), sentence)
+        return Heard(*_changed(change, sentence, context, now), sentence, named=change.positions)
     is_on = "things_asked_for" not in now.known.without
     wanted = asked_for(sentence, clauses_of_tree, now.known) if is_on else None
     if wanted is not None:
@@ -60,7 +68,9 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     asked = question_readings(case)
     if asked:
         now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
-        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence)
+        # The pattern of a question holds all of its words.
+        named = frozenset(word.index for word in sentence.tree.words)
+        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
@@ -80,7 +90,15 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
         ignored = " ".join(sentence.word(index).form for index in words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
-    return Heard(outcome, context, sentence, clauses)
+    wished = positions_named(read.kept[0] for read in clauses if read.kept[0].is_wish)
+    return Heard(outcome, context, sentence, clauses, named=words_told(case, clauses) | wished)
+
+
+def _answers_nothing(sentence: Sentence, now: Now) -> bool:
+    """Whether an utterance is a yes, and no command ("go ahead"); a no may be said against something that runs."""
+    words = [word for word in sentence.tree.words if word.upos != "PUNCT"]
+    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].form.lower()))
+    return not is_command and agreement(sentence.tree.text) is True
 
 
 def _told(sentence: Sentence, told: Sequence[Clause], context: Context) -> Context:

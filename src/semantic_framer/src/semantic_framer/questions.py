@@ -128,6 +128,8 @@ def _read(
             return None  # "is the door heavy to open": these words are no phrase
         if kind == "place" and _ends_in_state(sentence, positions):
             return None  # "is the cup on the table red" names no place "on the table red"
+        if kind == "place" and any(time & set(positions) for time in sentence.tree.times):
+            return None  # "is the door open at 18:30" asks about another time
         if not kind and sentence.word(positions[0]).upos == "ADP":
             return None  # "can you see to the washing" asks for no thing
         if any(sentence.word(index).form in _SENTENCE_ENDS for index in range(positions[0], positions[-1])):

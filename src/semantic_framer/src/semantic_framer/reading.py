@@ -35,12 +35,14 @@ class Control:
         duration_s: seconds; 0 if no time was said
         phrase: the words that say so
         is_kept_up: whether it goes on until something ends it: "keep visiting the hall"
+        positions: of the words that say any of this
     """
 
     count: int = 0
     duration_s: float = 0.0
     phrase: str = ""
     is_kept_up: bool = False
+    positions: FrozenSet[int] = frozenset()
 
     @property
     def is_said(self) -> bool:

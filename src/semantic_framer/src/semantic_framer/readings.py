@@ -72,6 +72,9 @@ class Heard:
         sentence: the sentence that was read; None if the person must first say what was meant
         clauses: the clauses of the sentence with their readings; empty if no clause was read
         is_small_talk: whether it is small talk from end to end, which is against nothing that runs
+        named: positions of words that no reading has, and that are understood: what joins clauses, what is only told,
+            and when it begins
+        is_answer: whether it answers a question, so that the readings are those of an earlier sentence
     """
 
     outcome: Outcome
@@ -79,6 +82,8 @@ class Heard:
     sentence: Optional[Sentence] = None
     clauses: Tuple[ClauseReadings, ...] = ()
     is_small_talk: bool = False
+    named: FrozenSet[int] = frozenset()
+    is_answer: bool = False
 
 
 def as_wish(read: ClauseReadings) -> ClauseReadings:
@@ -219,7 +224,7 @@ def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> 
     how_often: FrozenSet[int] = frozenset()
     is_careful = case.of.policy.left_over_words in CAREFUL
     if is_careful and ITERATION not in (heeded or ()):
-        reading, how_often = with_times(case.sentence, case.clause, reading)
+        reading, how_often = with_times(case.sentence, case.clause, reading, case.of.known.frames[name])
     found = replace(reading, extra=extra_arguments(case.sentence, case.clause, reading.left_over))
     if found.extra and heeded is not None:
         found = _with_heeded(case, found, heeded, trace)
@@ -234,7 +239,8 @@ def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> 
     if trace is not None:
         trace.add("control", str(found), "", f"how often or how long: {case.sentence.text(words)}", words)
     around = replace(case.clause, positions=case.clause.positions.difference(words))
-    control = replace(found.control, phrase=case.sentence.text(words))
+    positions = found.control.positions.union(words)
+    control = replace(found.control, phrase=case.sentence.text(words), positions=positions)
     text = _clause_text(case.sentence.tree, around) + stated(found.arguments)
     return replace(found, control=control, clause_text=text)
 

@@ -18,7 +18,7 @@ from semantic_framer.kinds_spoken_of import (
     of_the_same_kind,
     so_many,
 )
-from semantic_framer.persons_spoken_of import persons_meant, persons_mentioned
+from semantic_framer.persons_spoken_of import PERSON, persons_meant, persons_mentioned
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import accepted_types
@@ -36,6 +36,7 @@ _PARTICIPANTS = word_class("participants")
 #: By the part of an element: the types of things into which others are put.
 _TYPES_OF_WHAT_HOLDS = {"Device": ["Device"], CONTAINER: ["Container", "Portal", "Device"]}
 _PERSONS = frozenset(["Sentient"])
+_PERSONS_TYPES = with_parents(PERSON)
 _HERE_AND_THERE = word_class("here_and_there")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PREPOSITIONS = _PLACE_PREPOSITIONS | word_class("from_prepositions") | frozenset(["of", "with"])
@@ -69,6 +70,7 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
     frame = known.frames[reading.unit.frame_name]
+    context = without_named_beside(reading, context)
     things = context.things
     place = context.place
     container = _container_meant(reading, things, known.types)
@@ -93,7 +95,10 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             # "The front of it" is a part of a place, too.
             is_of_several = value.text.lower() != word and amount not in _PARTS
             is_thing = place is not None and not place.is_asked_about and not is_of_several
-            meant = _meant_by(word, things, place if is_thing else None, accepted, part, known.types)
+            possible = things if _PERSONS_TYPES.intersection(accepted) or not accepted else _without_persons(things)
+            # "Them", of whom only persons were named, are no place either.
+            is_place = is_thing and (word not in _THEM or bool(possible) or not things)
+            meant = _meant_by(word, possible, place if is_place else None, accepted, part, known.types)
             is_followed = element is not None and element.framenet == COTHEME and word in _THEM
             if is_followed and context.persons and (meant is None or _is_lifeless(meant, known.types)):
                 # "Give Bob the cup and Anna the plate, then follow *them*": neither cup nor plate.
@@ -120,6 +125,25 @@ def resolve(reading: Reading, context: Context, known: FramedLexicon) -> Union[R
             value = so_many(value, count or None, kind) if count or is_some(value) else value
         values.append(value)
     return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
+
+
+def without_named_beside(reading: Reading, context: Context) -> Context:
+    """Return the context without what a reading names itself: in "bring *them* to Anna", they are not Anna."""
+    named = {value.text.lower() for value in reading.arguments if value.positions}
+    return replace(
+        context,
+        things=tuple(thing for thing in context.things if thing.text.lower() not in named),
+        persons=tuple(person for person in context.persons if person.text.lower() not in named),
+    )
+
+
+def _without_persons(things: Iterable[Thing]) -> Tuple[Thing, ...]:
+    """Return what can be carried, washed or opened: of "Bob" and "the cup" the cup."""
+    return tuple(
+        thing
+        for thing in things
+        if not thing.phrases or any(phrase.semantic_type != PERSON for phrase in thing.phrases)
+    )
 
 
 def _contrasted(value: TypedArgument, reading: Reading) -> Optional[TypedArgument]:
@@ -195,7 +219,9 @@ def _meant_by(
     if not is_plural and _is_rather_there(place, thing if of_number else None, wanted, types):
         return place
     if is_plural and not of_number and thing is not None:
-        return _together(things, thing)
+        both = _together(things, thing)
+        # "Stack the tin on the crate and put *them* in the tray": the crate may be one of them.
+        return None if both is thing and place is not None else both
     return thing or place
 
 

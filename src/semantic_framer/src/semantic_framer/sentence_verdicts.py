@@ -83,14 +83,14 @@ def _told_inside(case: Case) -> Optional[Refusal]:
 
 
 def _outside(case: Case) -> Optional[Refusal]:
-    told = frozenset().union(*(_told_above(case, clause) for clause in case.clauses))
+    told = frozenset().union(*(told_above(case, clause) for clause in case.clauses))
     words = [index for index in words_outside(case.sentence, case.clauses) if index not in told]
     if words and case.policy.left_over_words in CAREFUL:
         return left_over_refusal(case.sentence, words)
     return None
 
 
-def _told_above(case: Case, clause: Clause) -> FrozenSet[int]:
+def told_above(case: Case, clause: Clause) -> FrozenSet[int]:
     """Return the words above a clause that tells the reason for a command: "*the dog needs* to go out, open the
     door"."""
     tree = case.sentence.tree

@@ -9,6 +9,7 @@ from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_before import resolve_in_parallel, with_thing_taken
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
+from semantic_framer.default_values import may_say_direction
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.embedded_statements import with_statements
 from semantic_framer.findings_told import with_finding
@@ -28,7 +29,8 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.reading import Reading
-from semantic_framer.references import noun_phrase, remember, resolve
+from semantic_framer.references import noun_phrase, remember, resolve, without_named_beside
+from semantic_framer.said_twice import said_twice
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import accepted_types
 from semantic_framer.wishes import without_granted_wishes
@@ -124,10 +126,17 @@ def _settled(
     if policy.left_over_words in CAREFUL:
         for readings in clauses:
             is_asked = policy.left_over_words is LeftOverWords.ASK and readings[0].extra is not None
+            is_asked = is_asked and not may_say_direction(sentence, readings[0], now.known.frames)
             if readings[0].left_over and not is_asked:
                 words = sentence.text(readings[0].left_over)
                 now.write("left_over_words", words, "refused. No element has these words.")
                 return left_over_refusal(sentence, readings[0].left_over, readings[0].unheeded), context
+        twice = "" if is_confirmed else said_twice([readings[0] for readings in clauses])
+        if twice:
+            now.write("said_twice", twice, "asked. Nothing stands between both.")
+            pending = Pending(without_positions(clauses), 0, (), now.expires_s, plan=plan)
+            text = f'I heard "{twice}" twice. Shall I do it twice? Say yes or no.'
+            return Question("CONFIRM", text), replace(context, pending=pending)
         extra = [argument for readings in clauses for argument in readings[0].extra or ()]
         if extra:
             said = join_with_and([f'"{argument.words}"' for argument in extra])
@@ -239,17 +248,19 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
     """Return the readings of a clause with their pronouns resolved, or the question to ask."""
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, TypedArgument]] = []
+    others_named = False
     for reading in readings:
         outcome = resolve(reading, context, now.known)
         if isinstance(outcome, TypedArgument):
             unresolved.append((reading, outcome))
         else:
             resolved.append(outcome)
+            others_named |= bool(without_named_beside(reading, context).persons)
             if outcome != reading:
                 now.write("references", str(reading), str(outcome))
     is_of_persons = all(value.text.lower() in _PERSONS_OR_THINGS for _, value in unresolved)
     # "Greet the guests and take *them* to the hall" carries nothing: no thing was mentioned.
-    if unresolved and not (resolved and context.persons and is_of_persons):
+    if unresolved and not (resolved and is_of_persons and others_named):
         now.write("references", unresolved[0][1].text, "asked. It is not known what it stands for.")
         question = Question("AMBIGUOUS", whom_is_meant(unresolved[0][1].text))
         names = tuple(value.name for _, value in unresolved)

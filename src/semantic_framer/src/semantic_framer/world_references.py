@@ -5,8 +5,8 @@ from typing import List, Optional, Tuple
 
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
 from referring_expressions.describing import noun_of, question_of_speaker
-from referring_expressions.fitting import is_of_unknown_speaker
-from referring_expressions.resolving import MOST_REFERENTS
+from referring_expressions.fitting import is_speaker_asked_for
+from referring_expressions.resolving import ALL, MOST_REFERENTS
 from semantic_framer.dialogue import PRONOUNS, Context, Mention
 from semantic_framer.frame_roles import MESSAGE, NAME, NO_THINGS, PLACES
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -66,7 +66,7 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
             arguments.append(_like(argument, meant, situation))
             continue
         found = resolve(argument, situation)
-        is_open = found is not None and (found.is_ambiguous or is_of_unknown_speaker(argument, situation))
+        is_open = found is not None and (found.is_ambiguous or is_speaker_asked_for(argument, situation, found.objects))
         if found is not None and found.objects and is_open and not frame.is_question:
             unclear = unclear or _unclear(argument, found, situation)
         arguments.append(argument if is_open else with_referents(argument, situation))
@@ -92,13 +92,31 @@ def _antecedent(argument: TypedArgument, context: Context) -> Optional[TypedArgu
 def _like(argument: TypedArgument, meant: TypedArgument, situation: Situation) -> TypedArgument:
     """Return a pronoun with the referents of what it stands for; with none where those are not certain."""
     argument = replace(argument, world_version=situation.world.version)
-    found = resolve(meant, situation)
+    found = _as_it_is_now(meant, situation)
     # "Three apples" are some of those that are known; a part of them may be any.
     is_open = meant.quantifier in _SOME if meant.count is None else not meant.quantifier
     is_certain = found is not None and not found.is_ambiguous and not is_open
-    if found is None or not is_certain or is_of_unknown_speaker(meant, situation):
+    if found is None or not is_certain or is_speaker_asked_for(meant, situation, found.objects):
         return argument
     return replace(argument, referents=found.ids[:MOST_REFERENTS], referent_count=found.count)
+
+
+def _as_it_is_now(phrase: TypedArgument, situation: Situation) -> Optional[Referents]:
+    """Return what was meant by a phrase that was said before: the same things, wherever they are by now.
+
+    "The apple on the table", of which the robot knew nothing then, is still that apple when it has taken it away.
+    """
+    known = situation.objects(phrase.referents)
+    if known and len(known) == len(phrase.referents) and phrase.referent_count in (ALL, len(known)):
+        return Referents(known, phrase.referent_count)
+    found = resolve(phrase, situation)
+    if found is None or found.objects or not phrase.frames:
+        return found
+    moved = resolve(replace(phrase, frames=()), situation)
+    if moved is None or not moved.is_ambiguous:
+        return moved
+    handled = tuple(one for one in moved.objects if one.related("held_by"))
+    return Referents(handled, 1) if len(handled) == 1 else Referents()
 
 
 def unknown_arguments(reading: Reading, known: FramedLexicon) -> Tuple[TypedArgument, ...]:
@@ -119,7 +137,7 @@ def _may_refer(element: Optional[FrameElement], argument: TypedArgument) -> bool
 
 
 def _unclear(argument: TypedArgument, found: Referents, situation: Situation) -> Unclear:
-    if is_of_unknown_speaker(argument, situation):
+    if is_speaker_asked_for(argument, situation, found.objects):
         return Unclear(argument.name, found.ids, question_of_speaker(found.objects, situation.world))
     noun = noun_of(found.objects[0]) if argument.lemma in _STANDINS else argument.head
     return Unclear(argument.name, found.ids, question_of(noun, found.objects, situation.world))
@@ -170,7 +188,7 @@ def looked_up_again(context: Context, known: FramedLexicon) -> Context:
 
 
 def _looked_up(phrase: TypedArgument, situation: Situation) -> Mention:
-    found = resolve(phrase, situation)
+    found = _as_it_is_now(phrase, situation)
     if found is None or found.count != 1:
         return Mention(phrase=phrase)
     held = situation.world.held

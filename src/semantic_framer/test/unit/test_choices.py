@@ -61,20 +61,23 @@ def test_answer_picks_a_reading(understand: Any, said: str, answer: str, done: L
 
 
 @pytest.mark.parametrize(
-    "said, answer, code",
+    "said, answer, code, is_open",
     [
-        (MUG_OR_OFFICE, "no", "DECLINED"),
-        (MUG_OR_OFFICE, "the office", "NO_VERB"),
-        (MUG_OR_OFFICE, "the third one", "NO_VERB"),
-        (MUG_OR_OFFICE, "yes", "TALK"),
-        (MUG_OR_OFFICE, "not to the office", "CORRECTION"),
+        (MUG_OR_OFFICE, "no", "DECLINED", False),
+        (MUG_OR_OFFICE, "the office", "NO_VERB", True),
+        (MUG_OR_OFFICE, "the third one", "NO_VERB", True),
+        (MUG_OR_OFFICE, "yes", "TALK", True),
+        (MUG_OR_OFFICE, "not to the office", "CORRECTION", False),
     ],
 )
-def test_answer_that_picks_nothing_does_nothing(understand: Any, said: str, answer: str, code: str) -> None:
-    _, context = understand(said)
+def test_answer_that_picks_nothing_does_nothing(
+    understand: Any, said: str, answer: str, code: str, is_open: bool
+) -> None:
+    question, context = understand(said)
     outcome, after = understand(answer, context)
     assert isinstance(outcome, Refusal) and outcome.code == code
-    assert after.pending is None
+    # What is no answer does not drop the question in silence.
+    assert (after.pending is not None) == outcome.sentence.endswith(f"I still ask: {question.sentence}") == is_open
 
 
 def test_choice_expires(understand: Any) -> None:

@@ -155,6 +155,21 @@ def test_it_is_what_was_named_before_it_was_seen(home: Home) -> None:
     assert home.argument("Put the mug on the table.", "theme").referents == ("mug_1",)
 
 
+@pytest.mark.parametrize("said", ["Take the mug on the table.", "Take my mug."])
+def test_it_stays_the_same_thing_wherever_it_is_by_now(said: str, home: Home) -> None:
+    home.see(UNSEEN)
+    home.hear(said)
+    for holder in ("robot", "anna"):
+        home.see(TAKEN.replace("held_by: robot", f"held_by: {holder}"))
+        assert home.argument("Bring it to the kitchen.", "theme").referents == ("mug_1",)
+
+
+def test_my_things_are_those_of_nobody_else(home: Home) -> None:
+    assert home.argument("Take my box.", "theme").referents == ("box_1",)
+    home.see(HOME.replace("box_1: {in: office}", "box_1: {in: office, of: anna}"))
+    assert home.hear("Take my box.") == Question("AMBIGUOUS", "Who are you? I know the box of Anna.")
+
+
 def test_without_a_world_words_remain_words(knowledge: Knowledge) -> None:
     argument = Home(knowledge, World()).argument("Take the mug.", "theme")
     assert (argument.referents, argument.world_version) == ((), "")

@@ -367,7 +367,6 @@ def test_condition_makes_a_tree(understand: Any, text: str, plan: str) -> None:
         "turn left on Monday",
         "turn left Monday morning",
         "bring the mug on Monday",
-        "next Monday turn left",
         "turn left every day",
         "high five tomorrow",
     ],
@@ -375,6 +374,12 @@ def test_condition_makes_a_tree(understand: Any, text: str, plan: str) -> None:
 def test_a_day_without_a_time_is_asked_about(understand: Any, text: str) -> None:
     outcome = understand(text)[0]
     assert isinstance(outcome, Question)
+
+
+def test_the_day_of_another_week_is_not_taken_for_the_next_one(understand: Any) -> None:
+    outcome = understand("next Monday turn left")[0]
+    assert isinstance(outcome, Refusal)
+    assert outcome.left_over == ("next",)
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,18 @@
 """Reads numbers, lengths, angles and durations in English words, and converts them to SI units."""
 
 from spoken_quantities.measure import Measure, parse_measure
-from spoken_quantities.numbers import QuantityError, find_number, find_whole_number, number_words, parse_number
-from spoken_quantities.units import Unit, find_unit, unit_words, units_of
+from spoken_quantities.numbers import (
+    QuantityError,
+    find_number,
+    find_whole_number,
+    number_words,
+    parse_number,
+    plain_digits,
+)
+from spoken_quantities.units import DEGREE_SIGNS, Unit, find_unit, unit_words, units_of
 
 __all__ = [
+    "DEGREE_SIGNS",
     "Measure",
     "QuantityError",
     "Unit",
@@ -14,6 +22,7 @@ __all__ = [
     "number_words",
     "parse_measure",
     "parse_number",
+    "plain_digits",
     "unit_words",
     "units_of",
 ]

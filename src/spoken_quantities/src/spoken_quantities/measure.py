@@ -5,8 +5,8 @@ import re
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-from spoken_quantities.numbers import QuantityError, find_number, parse_number
-from spoken_quantities.units import Unit, find_unit, units_of
+from spoken_quantities.numbers import QuantityError, find_number, parse_number, plain_digits
+from spoken_quantities.units import DEGREE_SIGNS, Unit, find_unit, units_of
 
 #: A number written together with its unit: "10cm", "90°", "3ft".
 _JOINED = re.compile(r"^([+-]?[\d.,]+)\s*([^\d\s.,+-].*)$")
@@ -16,6 +16,7 @@ _FILLERS = ("of a", "of an", "of the", "of", "a", "an")
 _EMPHASIS = ("full", "whole", "complete", "entire", "more", "further", "additional", "extra")
 #: "90-degree", "two-metre".
 _HYPHEN_BEFORE_UNIT = re.compile(r"(?<=[\w])-(?=([a-z]+)$)", re.IGNORECASE)
+_DEGREE_SIGN = re.compile(f"[{DEGREE_SIGNS}]")
 #: "5ft 6in", "5'6\"", "1h30": numbers and units may touch.
 _BETWEEN_DIGITS_AND_UNITS = re.compile(r"(?<=\d)(?=[a-z'\"])|(?<=[a-z'\"])(?=\d)")
 #: For each unit: how many of the smaller unit a bare number after it counts make one, and the least number that is said
@@ -63,6 +64,7 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     Raises:
         QuantityError: NOT_A_NUMBER, NOT_FINITE, UNKNOWN_UNIT, MISSING_UNIT, WRONG_QUANTITY
     """
+    text = _DEGREE_SIGN.sub(" ° ", plain_digits(text))
     try:
         return _parse_single(text, quantity, default_unit)
     except QuantityError as error:
@@ -76,7 +78,7 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
 
 def _parse_compound(text: str) -> Optional[Measure]:
     """Read a measure in several units, or None. Each part must be less than one of the unit before it."""
-    words = _BETWEEN_DIGITS_AND_UNITS.sub(" ", text.lower().replace("°", " ° ")).split()
+    words = _BETWEEN_DIGITS_AND_UNITS.sub(" ", text.lower()).split()
     position = next((index for index, word in enumerate(words) if index and find_unit(word)), len(words))
     unit = find_unit(words[position]) if position < len(words) - 1 else None
     if unit is None:
@@ -117,7 +119,7 @@ def _amount_behind(words: List[str], unit: Unit) -> Optional[float]:
 
 def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Measure:
     """Read a measure in one unit; the arguments and errors of :func:`parse_measure`."""
-    words = " ".join(text.replace("°", " ° ").split())
+    words = " ".join(text.split())
     words = _HYPHEN_BEFORE_UNIT.sub(lambda hyphen: " " if find_unit(hyphen.group(1)) else "-", words)
     if not words:
         raise QuantityError("NOT_A_NUMBER", "No amount was said.")

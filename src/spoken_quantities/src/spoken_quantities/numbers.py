@@ -73,6 +73,23 @@ class QuantityError(ValueError):
         self.code = code
 
 
+def plain_digits(text: str) -> str:
+    """Return a text with digits of any width and script as those of ASCII: "\uff13\uff10" is "30".
+
+    Full-width letters and marks become plain ones as well ("\uff12\uff0e\uff15\uff4d" is "2.5m"). The text keeps its
+    length.
+    """
+    if text.isascii():
+        return text
+    return "".join(_plain(sign) for sign in text)
+
+
+def _plain(sign: str) -> str:
+    if unicodedata.category(sign) == "Nd":
+        return str(unicodedata.digit(sign))
+    return unicodedata.normalize("NFKC", sign) if "\uff01" <= sign <= "\uff5e" else sign
+
+
 def number_words() -> Sequence[str]:
     """Return the words that numbers consist of, without "and" and the articles."""
     return tuple(_SMALL) + (_OH,) + tuple(_MULTIPLIERS) + tuple(_FRACTIONS) + tuple(_SIGNS) + ("couple", "few")
@@ -122,7 +139,7 @@ def _value(text: str) -> Optional[float]:
 
 def _spelled(text: str) -> str:
     """Return a text in lower case without hedges, with its sign as a word and its parts separated."""
-    spelled = text.lower().replace("\u2212", "-").replace("\u2044", "/")
+    spelled = plain_digits(text).lower().replace("\u2212", "-").replace("\u2044", "/")
     spelled = "".join(" " + _SINGLE_SIGNS[sign] + " " if sign in _SINGLE_SIGNS else sign for sign in spelled)
     spelled = " ".join(word for word in spelled.split() if word not in _HEDGES)
     spelled = _SPACED_SLASH.sub("/", spelled)

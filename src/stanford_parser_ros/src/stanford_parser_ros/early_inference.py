@@ -1,4 +1,4 @@
-"""Parses from the first second on: the lean runtime answers until Stanza is loaded."""
+"""Parses from the first second on: the lean runtime answers until Stanza is loaded, or where the joint model is not."""
 
 import ctypes
 import importlib.util
@@ -105,3 +105,26 @@ def load_stanza(
 
     first = lean_first(model_dir, package)
     return load() if first is None else EarlyInference(first, load, on_loaded=on_loaded, on_failed=on_failed)
+
+
+def load_onnx(*, model_dir: Path, package: str, threads: int, on_failed: Callable[[ModelError], None]) -> Inference:
+    """Load the joint model, or the lean runtime where that cannot be loaded.
+
+    Args:
+        model_dir: folder of the models, with ``joint`` in it
+        package: name of a package in that folder
+        threads: of ONNX Runtime
+        on_failed: called with the reason why the lean runtime answers
+    Raises:
+        ModelError: neither can be loaded
+    """
+    from stanford_parser_ros.joint.inference import JointInference
+
+    try:
+        return JointInference(model_dir=model_dir, package=package, threads=threads)
+    except ModelError as error:
+        from stanford_parser_ros.lean.inference import LeanInference
+
+        lean = LeanInference(model_dir=model_dir, package=package)
+        on_failed(error)
+        return lean

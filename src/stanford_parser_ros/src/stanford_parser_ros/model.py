@@ -22,6 +22,7 @@ from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around
 from utterance_passes.vocabulary import Verbs
+from word_classes import in_words
 
 #: Words and other signs of an utterance. The time and memory of the models grow with the square of their number, and
 #: torch keeps the memory: with 500 of them, 1.4 GB. The longest utterance in the corpora has 80.
@@ -127,7 +128,7 @@ class Parser:
     def _parse(self, text: str, known: KnownWords, without: FrozenSet[str]) -> Parse:
         trace = Trace()
         vocabulary = Verbs(known.verbs, spellings=known.spellings, names=known.names)
-        spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
+        spelling = run_text_passes(in_words(text), TEXT_PASSES, without=without, trace=trace)
         spelling = run_word_passes(spelling, vocabulary, WORD_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it", code="EMPTY_TEXT")

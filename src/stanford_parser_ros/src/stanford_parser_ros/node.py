@@ -20,7 +20,7 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import load_lexical_units
 from semantic_frames.read_once import ReadOnce
-from stanford_parser_ros.early_inference import load_stanza
+from stanford_parser_ros.early_inference import load_onnx, load_stanza
 from stanford_parser_ros.inference import Inference, ModelError, shipped_model_dir
 from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
@@ -37,6 +37,7 @@ class Runtime(enum.Enum):
 
     STANZA = "stanza"
     LEAN = "lean"
+    ONNX = "onnx"
 
 
 @dataclass(frozen=True)
@@ -47,8 +48,8 @@ class Settings(Parameters):
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
         runtime: Stanza itself, before which the lean runtime answers while it is loaded; or only the lean runtime: the
-            same trees sooner, for packages like the shipped one
-        threads: of torch; the lean runtime always has one
+            same trees sooner, for packages like the shipped one; or the joint model in ONNX Runtime, with other trees
+        threads: of torch or ONNX Runtime; the lean runtime always has one
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
         trace: whether events say what the passes changed
@@ -114,6 +115,10 @@ class ParserNode:
             from stanford_parser_ros.lean.inference import LeanInference  # only this runtime needs numpy
 
             return LeanInference(model_dir=folder, package=package)
+        if self._settings.runtime is Runtime.ONNX:
+            return load_onnx(
+                model_dir=folder, package=package, threads=self._settings.threads, on_failed=self._on_onnx_failed
+            )
         return load_stanza(
             model_dir=folder,
             package=package,
@@ -126,6 +131,10 @@ class ParserNode:
         # The models stay until the end: the garbage collector needs a tenth of a second to look at all of them.
         gc.freeze()
         rospy.loginfo("Stanza was loaded in %.1f s, and parses from now on", time_s)
+
+    def _on_onnx_failed(self, error: ModelError) -> None:
+        self._trouble = f"The lean runtime parses, because the joint model cannot be loaded: {error}"
+        rospy.logerr("%s", self._trouble)
 
     def _on_stanza_failed(self, error: ModelError) -> None:
         self._trouble = f"The lean runtime parses, because Stanza cannot be loaded: {error}"

@@ -28,7 +28,7 @@ from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
-from robot_fleet.designators import Names
+from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -147,9 +147,7 @@ class StopServerNode:
     def _hear_of_cry(self, command: Command) -> None:
         """The command server has heard a cry: so has this node, or the client was not connected to it yet."""
         with self._lock:
-            is_new = self._heard_once.is_told(
-                command.text, is_goal=came_by_action(command.id), command_id=command.id
-            )
+            is_new = self._heard_once.is_told(command.text, is_goal=came_by_action(command.id), command_id=command.id)
         if is_new:
             self._stop(_StopHeard(text=command.text, stamp=command.stamp, command_id=command.id))
 

@@ -18,12 +18,12 @@ from utterance_passes import (
     places_ahead,
     places_told,
 )
-from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.utterance_pass import Example, Stage, TreeMeaning, TreePass, TreeRepair
 from utterance_passes.vocabulary import Speech, Verbs
 
 #: Attach words where they can belong in a command; the words stay the same.
 ATTACHING_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
+    TreeRepair(
         "hands_at_verbs",
         "Attach the robot's own hand to the verb, not to the object.",
         Example(
@@ -33,7 +33,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_hands_at_verbs,
     ),
-    TreePass(
+    TreeRepair(
         "there_at_things",
         'Attach "there" to the thing that somebody gets: "bring me that over there".',
         Example(
@@ -43,7 +43,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_there_at_things,
     ),
-    TreePass(
+    TreeRepair(
         "phrases_of_what_is_asked",
         'Attach a phrase to the noun that it follows, not to "what".',
         Example(
@@ -54,7 +54,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_phrases_of_what_is_asked,
     ),
-    TreePass(
+    TreeRepair(
         "upside_down",
         'Make an adverb of "upside down".',
         Example(
@@ -64,7 +64,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_upside_down,
     ),
-    TreePass(
+    TreeRepair(
         "places_in_a_row",
         "Attach the side from which things are counted to the thing.",
         Example(
@@ -74,7 +74,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_places_in_a_row,
     ),
-    TreePass(
+    TreeRepair(
         "ways_at_verbs",
         'Attach a source and the goal behind it to the verb: "from the table to the hall".',
         Example(
@@ -84,7 +84,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_ways_at_verbs,
     ),
-    TreePass(
+    TreeRepair(
         "wholes_at_pronouns",
         'Attach "all" or "both" to the pronoun before it.',
         Example(
@@ -94,7 +94,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_wholes_at_pronouns,
     ),
-    TreePass(
+    TreeMeaning(
         "exceptions",
         'Take out of things what is not meant: "anything but beer", "a beer, not a warm one".',
         Example(
@@ -104,7 +104,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         contrasts.with_exceptions,
     ),
-    TreePass(
+    TreeMeaning(
         "meant_instead",
         'Put what stands behind "but" in the place of what is denied: "not the hall but the office".',
         Example(
@@ -119,7 +119,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         contrasts.with_what_is_meant,
     ),
-    TreePass(
+    TreeRepair(
         "things_named_again",
         'Make one thing of a thing and the words that describe it: "that mug, the small one".',
         Example(
@@ -129,7 +129,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_things_named_again,
     ),
-    TreePass(
+    TreeRepair(
         "ways_behind_particles",
         'Make a way of what stands behind "down" and before the goal.',
         Example(
@@ -139,7 +139,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_ways_behind_particles,
     ),
-    TreePass(
+    TreeMeaning(
         "avoided_places",
         'Make a preposition of what says where not to go: "go to Bob avoiding halls".',
         Example(
@@ -149,7 +149,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         avoided_places.with_avoided_places,
     ),
-    TreePass(
+    TreeMeaning(
         "awaited_deeds",
         'Make a condition of what somebody else is to do: "wait for Bob to come".',
         Example(
@@ -163,7 +163,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         awaited_deeds.with_awaited_deeds,
     ),
-    TreePass(
+    TreeRepair(
         "sides_in_order",
         'Attach "then" to the side right behind it, and each side to the verb.',
         Example(
@@ -174,7 +174,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         items_in_order.with_sides_in_order,
     ),
-    TreePass(
+    TreeMeaning(
         "items_in_order",
         'Set aside words of order before an item of a list: "visit the hall, then the office".',
         Example(
@@ -184,7 +184,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         items_in_order.with_items_in_order,
     ),
-    TreePass(
+    TreeMeaning(
         "contrasts",
         'Set aside what is not wanted: "tea instead of coffee".',
         Example(
@@ -198,7 +198,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         contrasts.without_contrasts,
     ),
-    TreePass(
+    TreeMeaning(
         "particles_on_the_way",
         'Turn a particle right before "to" or a similar preposition into an adverb.',
         Example(
@@ -208,7 +208,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_particles_on_the_way,
     ),
-    TreePass(
+    TreeMeaning(
         "ahead_of",
         'Turn "ahead of" into one preposition.',
         Example(
@@ -222,7 +222,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_ahead.with_ahead_as_preposition,
     ),
-    TreePass(
+    TreeRepair(
         "speeds_together",
         "Attach the time of a speed to its length.",
         Example(
@@ -232,7 +232,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_speeds_together,
     ),
-    TreePass(
+    TreeRepair(
         "superlatives_at_nouns",
         "Attach a superlative of place and the phrase behind it to the noun before it.",
         Example(
@@ -242,7 +242,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_ahead.with_superlatives_at_nouns,
     ),
-    TreePass(
+    TreeMeaning(
         "places_of_devices",
         'Attach a place after "on" or "off" to the object before it.',
         Example(
@@ -252,7 +252,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_places_of_devices,
     ),
-    TreePass(
+    TreeRepair(
         "places_of_all",
         'Attach a place to "everything" or a similar word before it.',
         Example(
@@ -262,7 +262,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_places_of_all,
     ),
-    TreePass(
+    TreeRepair(
         "measured_turns",
         'Turn the verb "turn" after a number or a fraction into a noun.',
         Example(
@@ -276,7 +276,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_measured_turns,
     ),
-    TreePass(
+    TreeRepair(
         "sides_apart",
         "Attach a side and the measure after it separately to the verb.",
         Example(
@@ -286,7 +286,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_sides_apart,
     ),
-    TreePass(
+    TreeRepair(
         "compass_apart",
         "Attach a direction of the compass to the verb.",
         Example(
@@ -296,7 +296,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         compass.with_compass_directions_apart,
     ),
-    TreePass(
+    TreeRepair(
         "around_apart",
         'Turn "around" between a verb of turning and a measure into an adverb.',
         Example(
@@ -306,7 +306,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_around_apart,
     ),
-    TreePass(
+    TreeRepair(
         "degrees",
         'Attach "a bit" and "a little" to the verb, not to the noun before them.',
         Example(
@@ -316,7 +316,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_degrees,
     ),
-    TreePass(
+    TreeRepair(
         "objects_of_vocatives",
         "Turn a false vocative back into the end of the object.",
         Example(
@@ -326,7 +326,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_objects_of_vocatives,
     ),
-    TreePass(
+    TreeRepair(
         "names_behind_nouns",
         "Attach a name, a letter or a number to the noun or the name in front of it.",
         Example(
@@ -336,7 +336,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         names.with_names_behind_nouns,
     ),
-    TreePass(
+    TreeRepair(
         "participles",
         "Attach a participle directly behind a person or a thing to it.",
         Example(
@@ -346,7 +346,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         participles.with_participles_at_nouns,
     ),
-    TreePass(
+    TreeMeaning(
         "persons_told",
         "Make a person the hearer who is the only object of a verb of telling.",
         Example(
@@ -357,7 +357,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         hearers.with_persons_told,
     ),
-    TreePass(
+    TreeRepair(
         "things_added",
         'Join a thing behind "and" to the object, not to the person or the place before it.',
         Example(
@@ -367,7 +367,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         additions.with_things_added,
     ),
-    TreePass(
+    TreeRepair(
         "objects_behind",
         "Attach an object behind other phrases to the verb.",
         Example(
@@ -377,7 +377,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         objects_behind.with_objects_behind,
     ),
-    TreePass(
+    TreeRepair(
         "inverted_places",
         'Make a place before "is" the predicate: "behind the robot is a door".',
         Example(
@@ -391,7 +391,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_inverted_places,
     ),
-    TreePass(
+    TreeRepair(
         "places_described",
         'Attach a clause to the place that it describes: "the room where Anna is".',
         Example(
@@ -401,7 +401,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_described,
     ),
-    TreePass(
+    TreeMeaning(
         "places_shown",
         "Make the place that somebody asks to be shown a goal.",
         Example(
@@ -415,7 +415,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_shown,
     ),
-    TreePass(
+    TreeMeaning(
         "places_told",
         'Replace "you will find her at the desk" beside a command by "she is at the desk".',
         Example(
@@ -433,7 +433,7 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_told,
     ),
-    TreePass(
+    TreeRepair(
         "durations_at_verbs",
         "Attach how long to the verb, not to a place.",
         Example(

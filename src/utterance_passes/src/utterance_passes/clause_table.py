@@ -14,12 +14,12 @@ from utterance_passes import (
     relations,
     wished_results,
 )
-from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.utterance_pass import Example, Stage, TreeMeaning, TreePass, TreeRepair
 from utterance_passes.vocabulary import Speech, Verbs
 
 #: Make nouns, counts and clauses of what the parser takes for something else.
 CLAUSE_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
+    TreeRepair(
         "modals_as_nouns",
         "Turn a modal after a noun into a noun if it helps no verb.",
         Example(
@@ -29,7 +29,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_modals_as_nouns,
     ),
-    TreePass(
+    TreeRepair(
         "as_well_as",
         'Make "and" of "as well as".',
         Example(
@@ -43,7 +43,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         additions.with_as_well_as,
     ),
-    TreePass(
+    TreeMeaning(
         "not_only",
         'Set "not only" aside before "but".',
         Example(
@@ -53,7 +53,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         additions.without_not_only,
     ),
-    TreePass(
+    TreeRepair(
         "bounded_counts",
         'Attach a bound to its number: "up to three apples".',
         Example(
@@ -67,7 +67,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         bounded_counts.with_bounded_counts,
     ),
-    TreePass(
+    TreeRepair(
         "commands_behind_statements",
         "Make a clause of its own of a command behind a statement.",
         Example(
@@ -79,7 +79,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_commands_behind_statements,
     ),
-    TreePass(
+    TreeMeaning(
         "wished_results",
         "Make a request for a deed of the wish for its result.",
         Example(
@@ -90,7 +90,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         wished_results.with_wished_results,
     ),
-    TreePass(
+    TreeRepair(
         "remarks",
         "Make a clause of its own of a whole sentence behind a noun.",
         Example(
@@ -100,7 +100,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_remarks_apart,
     ),
-    TreePass(
+    TreeRepair(
         "prepositions_at_names",
         "Attach a preposition to the noun right behind it.",
         Example(
@@ -110,7 +110,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_prepositions_at_names,
     ),
-    TreePass(
+    TreeRepair(
         "asked_clauses",
         "Make a clause behind the person who is asked a question, not a condition.",
         Example(
@@ -120,7 +120,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         questions_for_others.with_asked_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "told_predicates",
         "Make a clause of a predicate behind the question that is to be told.",
         Example(
@@ -135,7 +135,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_told_predicates,
     ),
-    TreePass(
+    TreeRepair(
         "words_before_nouns",
         'Attach an article or an owner to the object right behind it: "tell *the* kids dinner is ready".',
         Example(
@@ -145,7 +145,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_words_before_nouns,
     ),
-    TreePass(
+    TreeRepair(
         "hearers_joined",
         'Join a person behind "and" to the hearer before it, not to what the hearer is told.',
         Example(
@@ -157,7 +157,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         hearers.with_hearers_joined,
     ),
-    TreePass(
+    TreeRepair(
         "deeds_of_hearers",
         "Join a deed that is not the robot's to what a hearer is to do.",
         Example(
@@ -169,7 +169,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         hearers.with_deeds_of_hearers,
     ),
-    TreePass(
+    TreeRepair(
         "messages_behind_clauses",
         "Make what follows the description of a hearer what the hearer is told.",
         Example(
@@ -181,7 +181,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         hearers.with_messages_behind_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "requests_behind_clauses",
         "Attach what somebody is asked for to the verb, not to the description of the person.",
         Example(
@@ -191,7 +191,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         hearers.with_requests_behind_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "things_named_by_clauses",
         'Make "what" the thing that a clause describes: "bring me what I left there".',
         Example(
@@ -201,7 +201,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_things_named_by_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "goals_behind_clauses",
         "Attach the goal behind the description of a thing to the verb.",
         Example(
@@ -212,7 +212,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_goals_behind_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "predicates_as_clauses",
         "Make a clause of an object that has a subject and a copula.",
         Example(
@@ -222,7 +222,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         relations.with_predicates_as_clauses,
     ),
-    TreePass(
+    TreeRepair(
         "purposes_of_things",
         'Make a clause of what something is for: "something to drink".',
         Example(
@@ -235,7 +235,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         purposes.with_purposes_of_things,
     ),
-    TreePass(
+    TreeRepair(
         "purposes_of_deeds",
         "Attach a purpose behind a certain thing to the deed.",
         Example(
@@ -245,7 +245,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         purposes.with_purposes_of_deeds,
     ),
-    TreePass(
+    TreeRepair(
         "steps_taken",
         "Make an amount right behind a verb that means little alone its object.",
         Example(
@@ -255,7 +255,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_steps_taken,
     ),
-    TreePass(
+    TreeRepair(
         "places_of_subjects",
         "Attach a place to the thing before it in a question about its state.",
         Example(
@@ -265,7 +265,7 @@ CLAUSE_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_places_of_subjects,
     ),
-    TreePass(
+    TreeRepair(
         "topics_at_nouns",
         "Attach what something is about to it.",
         Example(

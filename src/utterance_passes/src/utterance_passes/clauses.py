@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Set, Tuple
 
 from spoken_quantities import find_unit
+from utterance_passes.clause_tops import top_of, tops_of
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
@@ -58,6 +59,14 @@ class Clause:
     condition_positions: FrozenSet[int]
     subject: int = 0
 
+    def __post_init__(self) -> None:
+        """
+        Raises:
+            ValueError: it has no words
+        """
+        if not self.positions:
+            raise ValueError(f'the clause of "{self.lemma}" has no words')
+
 
 def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tuple[Clause, ...]:
     """Find what a sentence asks for, in the order in which it was said.
@@ -68,8 +77,9 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
     found: List[Tuple[int, bool]] = []
     for root in tree.children(0):
         _collect(tree, vocabulary, root, False, found)
+    found = [(index, is_negated) for index, is_negated in found if index not in tree.abandoned]
     verbs = {index for index, _ in found}
-    tops = {index: _above_serial(tree, _top(tree, index), verbs) for index in verbs}
+    tops = tops_of(tree, verbs)
     clauses = []
     for index, is_negated in sorted(found):
         others: Set[int] = set()
@@ -198,19 +208,6 @@ def has_case(tree: DependencyTree, word: Word) -> bool:
 def prepositions_of(tree: DependencyTree, index: int) -> List[str]:
     """Return the prepositions of a word, in lower case and in order: "out", "of" for "out of the box"."""
     return [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
-
-
-def _top(tree: DependencyTree, verb: int) -> int:
-    """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
-    word = tree.word(verb)
-    return word.head if word.deprel == "cop" else verb
-
-
-def _above_serial(tree: DependencyTree, top: int, verbs: Set[int]) -> int:
-    """Return the verb that leads a clause inside a sentence: "the bell rings. *Go* and open the door"."""
-    verb = tree.word(tree.word(top).head) if tree.word(top).deprel == "conj" else tree.word(top)
-    is_inside = verb.deprel in ("conj", "parataxis", "list") and verb.index not in verbs
-    return verb.index if is_inside and verb.lemma.lower() in _LEADING_VERBS else top
 
 
 def _collect(
@@ -371,7 +368,7 @@ def _is_excluded(tree: DependencyTree, word: Word) -> bool:
 
 def excluded_phrase(tree: DependencyTree, clause: Clause) -> FrozenSet[int]:
     """Return the words of a clause that only exclude something: "go to the office, but *not through the hall*"."""
-    if _has_negation(tree, tree.word(_top(tree, clause.verb))):
+    if _has_negation(tree, tree.word(top_of(tree, clause.verb))):
         return frozenset()
     parts = (index for index in clause.positions if index != clause.verb and _is_excluded(tree, tree.word(index)))
     found = frozenset().union(*(tree.subtree(index) for index in parts)) & clause.positions
@@ -389,7 +386,7 @@ def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) 
     What the hearer shall do or leave is the order itself: "make sure *you* touch nothing".
     """
     found: Set[int] = set()
-    for index in positions - {verb, _top(tree, verb)}:
+    for index in positions - {verb, top_of(tree, verb)}:
         word = tree.word(index)
         if word.deprel.split(":")[0] not in _STATING or verb in tree.subtree(index):
             continue
@@ -410,8 +407,8 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
 
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
     """Return the clause of a verb, made of the words at some positions."""
-    condition = _condition(tree, _top(tree, verb), positions)
-    subject = next((child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0)
+    condition = _condition(tree, top_of(tree, verb), positions)
+    subject = next((child.index for child in tree.children(top_of(tree, verb)) if child.deprel.startswith("nsubj")), 0)
     return Clause(
         verb=verb,
         lemma=tree.word(verb).lemma.lower(),

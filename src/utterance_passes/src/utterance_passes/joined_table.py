@@ -11,14 +11,14 @@ from utterance_passes import (
     turns_in_place,
     words_set_off,
 )
-from utterance_passes.utterance_pass import Example, Stage, TreePass
+from utterance_passes.utterance_pass import Example, Stage, TreeMeaning, TreePass, TreePolicy, TreeRepair
 from utterance_passes.vocabulary import Speech, Verbs
 
 _SAYING = Verbs(frozenset(["say", "wave"]), speech={"say": Speech.SAID})
 
 #: They run before the passes that attach words where they can belong in a command.
 JOINING_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
+    TreeRepair(
         "emphatic_do",
         'Make "do" before a bare verb its auxiliary.',
         Example(
@@ -28,7 +28,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_emphatic_do,
     ),
-    TreePass(
+    TreeMeaning(
         "places_of_turns",
         "Set aside that a turn leaves the robot where it is.",
         Example(
@@ -38,7 +38,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         turns_in_place.without_places_of_turns,
     ),
-    TreePass(
+    TreeRepair(
         "particles_at_verbs",
         "Attach a particle before a conjunction to its verb.",
         Example(
@@ -48,7 +48,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_particles_at_verbs,
     ),
-    TreePass(
+    TreeRepair(
         "numbers_at_verbs",
         "Attach a number to the verb before it that the parser gives to a noun of another deed.",
         Example(
@@ -58,7 +58,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_numbers_at_verbs,
     ),
-    TreePass(
+    TreeMeaning(
         "manners_joined",
         "Attach a manner to its verb that is joined like a deed.",
         Example(
@@ -68,7 +68,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_manners_joined,
     ),
-    TreePass(
+    TreeMeaning(
         "conditions_joined",
         "Make a condition of a clause that is joined to the command.",
         Example(
@@ -78,7 +78,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_conditions_joined,
     ),
-    TreePass(
+    TreeRepair(
         "conditions_of_hearers",
         "Attach when the hearer does something to the command, not to a clause in it.",
         Example(
@@ -89,7 +89,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_conditions_of_hearers,
     ),
-    TreePass(
+    TreeMeaning(
         "bounds_of_messages",
         "Leave how long somebody else is to do something in what that person is told.",
         Example(
@@ -100,7 +100,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_bounds_of_messages,
     ),
-    TreePass(
+    TreeRepair(
         "phrases_behind_joints",
         "Attach a phrase between a conjunction and a verb to that verb.",
         Example(
@@ -110,7 +110,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_phrases_behind_joints,
     ),
-    TreePass(
+    TreeRepair(
         "deeds_joined",
         "Join a bare verb behind a comma to the deed before it, not as what goes on meanwhile.",
         Example(
@@ -121,7 +121,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_deeds_joined,
     ),
-    TreePass(
+    TreeMeaning(
         "deadlines_joined",
         'Make a clause of the command of what describes "the time": "by the time Bob comes".',
         Example(
@@ -131,7 +131,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_deadlines_joined,
     ),
-    TreePass(
+    TreeRepair(
         "remarks_joined",
         "Set a remark apart that no conjunction joins to the command.",
         Example(
@@ -141,7 +141,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_remarks_joined,
     ),
-    TreePass(
+    TreeRepair(
         "copulas_at_question_words",
         'Attach "is" behind a question word to it, not to the subject.',
         Example(
@@ -151,7 +151,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_copulas_at_question_words,
     ),
-    TreePass(
+    TreeRepair(
         "prepositions_of_nouns",
         'Make "to" before a noun a preposition.',
         Example(
@@ -161,7 +161,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_prepositions_of_nouns,
     ),
-    TreePass(
+    TreeRepair(
         "words_said",
         "Make what somebody says the object of saying.",
         Example(
@@ -172,7 +172,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_words_said,
     ),
-    TreePass(
+    TreeRepair(
         "phrases_in_a_row",
         "Attach the last of three phrases with one preposition to the verb.",
         Example(
@@ -183,7 +183,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_phrases_in_a_row,
     ),
-    TreePass(
+    TreeRepair(
         "places_of_what_fails",
         "Attach a place to the object of what the speaker cannot do.",
         Example(
@@ -194,7 +194,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_places_of_what_fails,
     ),
-    TreePass(
+    TreeMeaning(
         "places_of_what_there_is",
         "Attach a place behind what there is to the verb.",
         Example(
@@ -204,7 +204,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_places_of_what_there_is,
     ),
-    TreePass(
+    TreeRepair(
         "places_over_here",
         'Attach an adverb of way to "here" or "there" behind it.',
         Example(
@@ -214,7 +214,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_places_over_here,
     ),
-    TreePass(
+    TreeMeaning(
         "shared_nouns",
         'Make the noun of two described things the head of both: "the red and the blue cup".',
         Example(
@@ -225,7 +225,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_shared_nouns,
     ),
-    TreePass(
+    TreeRepair(
         "clothes_at_persons",
         "Attach what a person wears to the person.",
         Example(
@@ -235,7 +235,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_clothes_at_persons,
     ),
-    TreePass(
+    TreeRepair(
         "words_set_off",
         "Separate a bare noun behind a comma from the phrase before it.",
         Example(
@@ -245,7 +245,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         words_set_off.with_words_set_off,
     ),
-    TreePass(
+    TreeRepair(
         "deeds_behind_questions",
         "Join a deed that names what a question asks for to the verb of the command.",
         Example(
@@ -257,7 +257,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         questions_for_others.with_deeds_behind_questions,
     ),
-    TreePass(
+    TreeRepair(
         "things_put_down",
         "Make a place of the object of a deed that puts down what the deed before took.",
         Example(
@@ -268,7 +268,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_things_put_down,
     ),
-    TreePass(
+    TreeRepair(
         "states_before_places",
         "Make the predicate of a state of a device in front of a place.",
         Example(
@@ -285,7 +285,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_told.with_states_before_places,
     ),
-    TreePass(
+    TreeRepair(
         "sides_of_goals",
         "Attach a side to what is reached or seen in a condition.",
         Example(
@@ -295,7 +295,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_sides_of_goals,
     ),
-    TreePass(
+    TreeRepair(
         "places_of_whom_is_told",
         "Attach a place to the person of whom something is told to somebody.",
         Example(
@@ -307,7 +307,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         attached_phrases.with_places_of_whom_is_told,
     ),
-    TreePass(
+    TreeMeaning(
         "specified_items",
         "Take what specifies counted things for these things, and not for further ones.",
         Example(
@@ -323,7 +323,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         specified_items.with_specified_items,
     ),
-    TreePass(
+    TreePolicy(
         "owned_things_apart",
         "Part what somebody owns from who gets it.",
         Example(
@@ -334,7 +334,7 @@ JOINING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         joined.with_owned_things_apart,
     ),
-    TreePass(
+    TreeRepair(
         "subjects_of_descriptions",
         "Give a deed that describes a thing its subject.",
         Example(

@@ -5,6 +5,7 @@ that the robot never acts on half of a number: "ten to fifteen degrees", "not tw
 """
 
 import math
+import re
 from dataclasses import replace
 from typing import AbstractSet, FrozenSet, Iterable, List, Optional, Sequence, Tuple
 
@@ -13,7 +14,7 @@ from utterance_passes.amounts import Amount, counts_things, is_iteration, is_num
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
-__all__ = ["Amount", "amounts_of", "find_amounts"]
+__all__ = ["Amount", "amounts_of", "find_amounts", "stands_free"]
 
 #: Words between the ends of a range, or between two amounts to choose from.
 _ALTERNATIVES = frozenset("to or till until through thru - versus".split())
@@ -63,6 +64,11 @@ _ONLY_UNITS = frozenset(
     "metres meters centimetres centimeters millimetres millimeters kilometres kilometers cm mm km inches yards miles "
     "degrees degree radians radian feet miles turns revolutions rotations".split()
 )
+#: A number and what is written on it: "30xyz"; not a time or a range.
+_WRITTEN_ON = re.compile(r"\d[\d.,]*[^\d\s.,:-][^\s:-]*")
+#: Prepositions before an amount: "wait *for* two minutes", "turn *by* ten degrees".
+_OF_AMOUNTS = frozenset(["for", "by", "of"])
+_IN_NAMES = frozenset(["compound", "flat", "nummod", "appos", "nmod", "nmod:unmarked", "amod"])
 
 
 def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount, ...]:
@@ -77,7 +83,7 @@ def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount
     """
     spoken = sorted(index for index in positions if index not in tree.abandoned)
     amounts = list(read_amounts(tree, spoken))
-    units = [index for index in spoken if _is_lone_unit(tree, index, amounts)]
+    units = [index for index in spoken if _is_lone_unit(tree, index, amounts) or _is_unreadable(tree, index, amounts)]
     amounts = sorted(amounts + [_doubtful((index,), tree) for index in units], key=lambda one: one.positions)
     amounts = _joined(tree, spoken, _with_speeds(tree, spoken, amounts))
     taken = frozenset(index for amount in amounts for index in amount.positions)
@@ -157,6 +163,25 @@ def _is_lone_unit(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -
     is_of_something = is_of_something and before is not None and before.form.lower() not in ("a", "an")
     is_free = index not in tree.fillers and all(index not in amount.positions for amount in amounts)
     return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.form.lower() in _ONLY_UNITS
+
+
+def _is_unreadable(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -> bool:
+    """Whether a word is a number with something written on it that is no unit, and stands where an amount may: "wait
+    for *30xyz*"; "room 12b" and "the 7up" are names."""
+    form = tree.word(index).form
+    is_taken = index in tree.fillers or any(index in amount.positions for amount in amounts)
+    return (
+        not is_taken and _WRITTEN_ON.fullmatch(form) is not None and is_number(tree, index) and stands_free(tree, index)
+    )
+
+
+def stands_free(tree: DependencyTree, index: int) -> bool:
+    """Whether a number stands where an amount may: it names no noun, and has no determiner and no preposition of a
+    place."""
+    children = tree.children(index)
+    has_case = any(child.deprel == "case" and child.form.lower() not in _OF_AMOUNTS for child in children)
+    has_more = any(child.deprel in ("det", "nmod:poss", "amod", "compound") for child in children)
+    return not has_case and not has_more and tree.word(index).deprel not in _IN_NAMES
 
 
 def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amount]) -> List[Amount]:

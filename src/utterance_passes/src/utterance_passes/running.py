@@ -1,6 +1,8 @@
 """Runs the passes of the table, in order."""
 
-from typing import AbstractSet, FrozenSet, List, Optional, Sequence, Set, Tuple
+import logging
+from functools import partial
+from typing import AbstractSet, Callable, FrozenSet, List, Optional, Sequence, Set, Tuple, TypeVar
 
 from utterance_passes.spelling import Spelling, as_said
 from utterance_passes.trace import Trace
@@ -8,17 +10,45 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree
 from utterance_passes.utterance_pass import (
     CutPass,
+    Kind,
+    Pass,
+    PassFailed,
     Retag,
     Surroundings,
     SurroundingsPass,
     TagPass,
     TextPass,
     TreePass,
+    Uncertain,
     WordPass,
 )
 from utterance_passes.vocabulary import Verbs, Vocabulary
 
 NONE: FrozenSet[str] = frozenset()
+_LOG = logging.getLogger(__name__)
+Result = TypeVar("Result")
+
+
+def _result(one: Pass, run: Callable[[], Result], unchanged: Result, trace: Optional[Trace]) -> Result:
+    """Return what a pass makes of its input; the input unchanged if it only repairs the parse, and fails.
+
+    Raises:
+        Uncertain: a person must say what the sentence means
+        NotATree: what it makes is no tree
+        PassFailed: any other pass raised an error
+    """
+    try:
+        return run()
+    except (NotATree, Uncertain):
+        raise
+    except Exception as error:  # boundary: a sentence that a pass does not expect still gets its reply
+        failed = PassFailed(one.name, error)
+        if one.kind is not Kind.REPAIR:
+            raise failed from error
+        _LOG.error("%s; the sentence is read without it", failed, exc_info=True)
+        if trace is not None:
+            trace.add(one.name, after=f"skipped: {failed}")
+        return unchanged
 
 
 def run_text_passes(
@@ -35,7 +65,7 @@ def run_text_passes(
     spelling = as_said(text)
     for one in passes:
         if one.name not in without:
-            made = one.run(spelling)
+            made = _result(one, partial(one.run, spelling), spelling, trace)
             if trace is not None and made.text != spelling.text:
                 trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
             spelling = made
@@ -53,7 +83,7 @@ def run_word_passes(
     """Rewrite words by the words that the robot knows."""
     for one in passes:
         if one.name not in without:
-            made = one.run(spelling, vocabulary)
+            made = _result(one, partial(one.run, spelling, vocabulary), spelling, trace)
             if trace is not None and made.text != spelling.text:
                 trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
             spelling = made
@@ -70,7 +100,8 @@ def run_surroundings_passes(
 ) -> Optional[Surroundings]:
     """Return the result of the first pass that finds words around a command; None if no pass does."""
     for one in passes:
-        around = one.run(spelling, vocabulary) if one.name not in without else None
+        run = partial(one.run, spelling, vocabulary)
+        around = _result(one, run, None, trace) if one.name not in without else None
         if around is not None:
             if trace is not None:
                 trace.add(one.name, before=repr(spelling.text), after=f"{around.command.text!r}, parsed alone")
@@ -89,8 +120,10 @@ def run_cut_passes(
 ) -> Tuple[int, ...]:
     """Return the positions of the words that begin further commands."""
     found: Set[int] = set()
+    nothing: Tuple[int, ...] = ()
     for one in passes:
-        for position in one.run(forms, tags, vocabulary) if one.name not in without else ():
+        run = partial(one.run, forms, tags, vocabulary)
+        for position in _result(one, run, nothing, trace) if one.name not in without else ():
             if trace is not None:
                 trace.add(one.name, forms[position - 1], "", "begins a command, parsed alone", [position])
             found.add(position)
@@ -108,9 +141,11 @@ def run_tag_passes(
 ) -> Tuple[Retag, ...]:
     """Return the corrected tags of a sentence; each pass sees the tags from the passes before it."""
     found: List[Retag] = []
+    nothing: Tuple[Retag, ...] = ()
     tags = list(tags)
     for one in passes:
-        for retag in one.run(forms, tags, vocabulary) if one.name not in without else ():
+        run = partial(one.run, forms, list(tags), vocabulary)
+        for retag in _result(one, run, nothing, trace) if one.name not in without else ():
             if trace is not None:
                 position = retag.position
                 trace.add(one.name, forms[position - 1], tags[position - 1], f"{retag.upos}, parsed again", [position])
@@ -131,12 +166,13 @@ def run_tree_passes(
 
     Raises:
         Uncertain: a person must say what the sentence means
+        PassFailed: a pass that does not only repair the parse raised an error
     """
     for one in passes:
         if one.name in without:
             continue
         try:
-            made = one.run(tree, vocabulary)
+            made = _result(one, partial(one.run, tree, vocabulary), tree, trace)
         except NotATree as error:
             made = tree
             if trace is not None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Callable, List, Tuple, Union
 
-from spoken_quantities import number_words
+from spoken_quantities import DEGREE_SIGNS, number_words, plain_digits, unit_words
 from utterance_passes.formula_file import WRITTEN_OUT, any_of, shipped_formulas
 from word_classes import word_class, word_list
 
@@ -25,12 +25,13 @@ _SINGLE_MARKED = re.compile(
     re.IGNORECASE,
 )
 DASH = re.compile(r"[‐‑–—\u2212]")
-FRACTION_SIGN = re.compile(r"[¼½¾⅐-⅞]")
+#: A sign for a fraction, or a digit, a letter or a mark of another width: "½", "\uff13".
+NUMBER_SIGN = re.compile(r"[¼½¾⅐-⅞]|[\uff01-\uff5e]|(?![0-9])\d")
 FRACTION_SLASH = re.compile(r"(?<=\d)\u2044(?=\d)")
-DEGREE_SIGN = re.compile(r"(?<=\w)\s*°")
+DEGREE_SIGN = re.compile(rf"(?<=\w)\s*[{DEGREE_SIGNS}]")
 #: The place between a number and the unit that touches it.
 UNIT_AT_NUMBER = re.compile(
-    r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"
+    rf"(?<=\d)(?=(?:{'|'.join(sorted(filter(str.isalpha, unit_words()), key=len, reverse=True))})\b)", re.IGNORECASE
 )
 MINUS_SIGN = re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
 NEGATIVE_SIGN = re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
@@ -68,8 +69,11 @@ def as_said(text: str) -> Spelling:
     return Spelling(text, tuple(range(len(text) + 1)))
 
 
-def ratio(sign: "re.Match[str]") -> str:
-    """Return "½" as "1/2", with a blank between it and digits before it."""
+def number_sign(sign: "re.Match[str]") -> str:
+    """Return "½" as "1/2", with a blank between it and digits before it, and another sign as a plain one."""
+    plain = plain_digits(sign.group(0))
+    if plain != sign.group(0):
+        return plain
     digits = unicodedata.normalize("NFKC", sign.group(0)).replace("\u2044", "/")
     return (" " if sign.string[: sign.start()][-1:].isalnum() else "") + digits
 

@@ -35,7 +35,11 @@ from utterance_passes.utterance_pass import (
     Pass,
     Stage,
     SurroundingsPass,
+    TreeDisfluency,
+    TreeMeaning,
     TreePass,
+    TreePolicy,
+    TreeRepair,
 )
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -77,7 +81,7 @@ CUT_PASSES: Tuple[CutPass, ...] = (
 
 #: Passes that the parser runs on its own tree before it publishes the tree.
 PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
+    TreeRepair(
         "one_object",
         "Turn a particle between two objects of a verb into a preposition.",
         Example(
@@ -87,7 +91,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         Stage.PARSER,
         relations.with_one_object,
     ),
-    TreePass(
+    TreeRepair(
         "particle_predicates",
         "Turn a particle with a copula into a clause.",
         Example(
@@ -97,7 +101,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         Stage.PARSER,
         relations.without_particle_predicates,
     ),
-    TreePass(
+    TreeRepair(
         "verb_compounds",
         "Turn a verb that is a compound with the verb before it into a clause.",
         Example(
@@ -107,7 +111,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         Stage.PARSER,
         relations.without_verb_compounds,
     ),
-    TreePass(
+    TreeRepair(
         "relative_subjects",
         'Make "who" the subject of the verb right behind it.',
         Example(
@@ -117,7 +121,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         Stage.PARSER,
         relations.with_relative_subjects,
     ),
-    TreePass(
+    TreeRepair(
         "infinitive_conjuncts",
         'Turn a verb with "to" that is joined to a verb without it into a purpose clause.',
         Example(
@@ -127,7 +131,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
         Stage.PARSER,
         relations.without_infinitive_conjuncts,
     ),
-    TreePass(
+    TreeRepair(
         "reroot",
         "Make the verb of the command the root.",
         Example(
@@ -142,7 +146,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
 
 #: Remove the words that a person takes back; they run before all other passes of the framer.
 CORRECTION_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
+    TreeMeaning(
         "mentioned_words",
         "Make a noun phrase of a clause between quotation marks that is spoken of.",
         Example(
@@ -152,7 +156,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         mentioned_words.with_mentioned_words,
     ),
-    TreePass(
+    TreePolicy(
         "objection",
         "Set aside the opening of a correction if a whole command follows.",
         Example(
@@ -163,7 +167,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         objections.without_objection,
     ),
-    TreePass(
+    TreeDisfluency(
         "restarts",
         "Drop the first of two equal words in a row.",
         Example(
@@ -173,7 +177,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         corrections.without_restarts,
     ),
-    TreePass(
+    TreeDisfluency(
         "corrections",
         "Replace the corrected words by the correction; ask if it is not certain which words those are.",
         Example(
@@ -198,7 +202,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
     JOINING_PASSES
     + PARSE_CORRECTING_PASSES
     + (
-        TreePass(
+        TreeMeaning(
             "aspectual_verbs",
             'Replace "start moving", "continue to move" and the like by "move".',
             Example(
@@ -209,7 +213,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             aspectual_verbs.without_aspectual_verbs,
         ),
-        TreePass(
+        TreeMeaning(
             "light_verbs",
             'Replace light verbs by the verbs that they mean, if the lexicon has those: "can I have" means "I want".',
             Example(
@@ -220,7 +224,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             light_verbs.replace_light_verbs,
         ),
-        TreePass(
+        TreeMeaning(
             "quotations",
             "Turn the words that the robot shall say into one object.",
             Example(
@@ -236,7 +240,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             quotations.with_quotations,
         ),
-        TreePass(
+        TreeMeaning(
             "comparisons",
             'Set aside comparisons such as "as soon as possible".',
             Example(
@@ -253,7 +257,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             comparisons.without_comparisons,
         ),
-        TreePass(
+        TreeMeaning(
             "formulas",
             'Set aside the formulas around a command: "... if you don\'t mind".',
             Example(
@@ -264,7 +268,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             formulas.without_formulas,
         ),
-        TreePass(
+        TreeMeaning(
             "reasons",
             "Set aside a clause that says why to do something.",
             Example(
@@ -279,7 +283,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             reasons.without_reasons,
         ),
-        TreePass(
+        TreeMeaning(
             "argument_clusters",
             "Turn each group of phrases that share a verb into a clause.",
             Example(
@@ -295,7 +299,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             argument_clusters.expand_argument_clusters,
         ),
-        TreePass(
+        TreeMeaning(
             "shared_verbs",
             "Attach the second of two phrases that share a verb to the verb, like the first.",
             Example(
@@ -305,7 +309,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             Stage.FRAMER,
             shared_verbs.expand_shared_verbs,
         ),
-        TreePass(
+        TreeMeaning(
             "times",
             "Mark the phrases that say when to do something.",
             Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),

@@ -4,7 +4,16 @@ from functools import partial
 from typing import Callable, Match, Pattern, Tuple, Union
 
 from utterance_passes import fronted_times, restatements, spelling, typos
-from utterance_passes.utterance_pass import Example, Stage, TextPass, WordPass
+from utterance_passes.utterance_pass import (
+    Example,
+    Stage,
+    TextDisfluency,
+    TextMeaning,
+    TextPass,
+    WordDisfluency,
+    WordPass,
+    WordRepair,
+)
 from utterance_passes.vocabulary import Verbs
 
 
@@ -41,11 +50,11 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
     _text(
         "fraction_signs",
-        "Write the sign for a fraction in digits.",
-        "2½",
+        "Write the sign for a fraction, and digits of another width, in plain digits.",
+        "２½",
         "2 1/2",
-        spelling.FRACTION_SIGN,
-        spelling.ratio,
+        spelling.NUMBER_SIGN,
+        spelling.number_sign,
     ),
     _text(
         "fraction_slash", "Write the slash in a fraction as a plain one.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"
@@ -66,35 +75,35 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
         "minus ",
     ),
     _text("ratios", "Separate the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
-    TextPass(
+    TextDisfluency(
         "false_starts",
         "Remove words that are broken off, and the words that are said again after them.",
         Example("go to the ki- go to the kitchen", ("go to the kitchen",)),
         Stage.PARSER,
         spelling.without_false_starts,
     ),
-    TextPass(
+    TextDisfluency(
         "repeated_starts",
         "Remove the beginning of a phrase that is begun again.",
         Example("go to the go to the office", ("go to the office",)),
         Stage.PARSER,
         spelling.without_repeated_starts,
     ),
-    TextPass(
+    TextDisfluency(
         "half_phrases",
         "Remove a phrase that breaks off before its noun.",
         Example("bring the blue, uh, the green cup", ("bring the green cup",)),
         Stage.PARSER,
         restatements.without_half_a_phrase,
     ),
-    TextPass(
+    TextDisfluency(
         "hesitation",
         "Remove phrases that people say while they think.",
         Example("go to the, you know, kitchen", ("go to the kitchen",)),
         Stage.PARSER,
         spelling.without_hesitation,
     ),
-    TextPass(
+    TextMeaning(
         "shares",
         "Name the things in each share of them.",
         Example("bring two cups, one for me and one for Bob", ("bring one cup for me and one cup for Bob",)),
@@ -121,14 +130,14 @@ WORD_PASSES: Tuple[WordPass, ...] = (
         Stage.PARSER,
         typos.without_typos,
     ),
-    WordPass(
+    WordDisfluency(
         "less_precise",
         "Remove a command that is said again at once, with an amount.",
         Example("turn left turn left two degrees", ("turn left two degrees",), Verbs(frozenset(["turn"]))),
         Stage.PARSER,
         restatements.without_less_precise,
     ),
-    WordPass(
+    WordRepair(
         "fronted_times",
         "Set a time at the front apart from the verb behind it.",
         Example("at six turn left", ("at six, turn left",), Verbs(frozenset(["turn"]))),

@@ -4,10 +4,11 @@ They are read from the words, not from the tree: the parser attaches a time at e
 """
 
 from functools import lru_cache
-from typing import FrozenSet, List, Tuple
+from typing import FrozenSet, Iterator, List, Tuple
 
 from spoken_quantities import find_number
 from utterance_passes.amounts import read_amounts
+from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
 from utterance_passes.vocabulary import Vocabulary
@@ -37,6 +38,8 @@ _BEFORE_TIMES = _MODIFIERS | _CHOOSING
 #: "This time", "the next times".
 _OCCASIONS = ("time", "times")
 _AFTER_TIMES = _TIMES_OF_DAY | _CLOCK
+#: Prepositions before a time of the clock, "*until* 20:15"; "at" is read with it.
+_BEFORE_CLOCKS = _CLOCK_PREPOSITIONS | _PREPOSITIONS
 
 
 def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -45,7 +48,11 @@ def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
-    """Find the phrases that say when, in order, each with its preposition; adjacent phrases count as one."""
+    """Find the phrases that say when, in order, each with its preposition; adjacent phrases count as one.
+
+    Whatever reads a time of the clock later (:mod:`utterance_passes.clock_times`) finds its words among these. So no
+    such word is left to be a part of a thing or of a place.
+    """
     forms = [word.form.lower() for word in tree.words]
     found: List[Tuple[int, int]] = []
     for end in range(1, len(forms) + 1):
@@ -57,7 +64,35 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
         if found and found[-1][1] >= start - 1:
             start = min(found.pop()[0], start)
         found.append((start, end))
-    return tuple(frozenset(range(start, end + 1)) for start, end in found)
+    for start, end in _clock_times(tree, forms):
+        beside = [one for one in found if one[0] <= end + 1 and start <= one[1] + 1]
+        found = [one for one in found if one not in beside]
+        found.append((min([start, *(one[0] for one in beside)]), max([end, *(one[1] for one in beside)])))
+    return tuple(frozenset(range(start, end + 1)) for start, end in sorted(found))
+
+
+def _clock_times(tree: DependencyTree, forms: List[str]) -> Iterator[Tuple[int, int]]:
+    """Yield the first and the last word of each time that is written or marked as one of the clock: "at 20:15", "until
+    six thirty", "by 8 pm"; "the 9:15 bus" is a thing."""
+    place = 0
+    while place < len(forms):
+        clock = clock_time_at(forms[place:])
+        end = place + clock.length if clock is not None else place
+        # "Turn to 3 o'clock" says where to.
+        is_goal = place > 0 and forms[place - 1] == "to" and not (place > 1 and _is_of_a_time(forms[place - 2]))
+        is_time = clock is not None and clock.is_certain and not is_goal
+        if clock is None or not is_time or _modifies(tree, end) or _is_measured(tree, end):
+            place += 1
+            continue
+        has_preposition = place > 0 and forms[place - 1] in _BEFORE_CLOCKS
+        yield place + 1 - has_preposition, end
+        place = end
+
+
+def _modifies(tree: DependencyTree, end: int) -> bool:
+    """Whether a word belongs to a noun behind it: "the 18:30 *report*", "six thirty *cups*"."""
+    word = tree.word(end)
+    return word.head > end and tree.word(word.head).upos in ("NOUN", "PROPN") and not word.deprel.startswith("obl")
 
 
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable, Optional, Sequence, Tuple
+from typing import Callable, ClassVar, Optional, Sequence, Tuple
 
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import DependencyTree
@@ -15,6 +15,16 @@ class Stage(Enum):
 
     PARSER = "stanford_parser_ros"
     FRAMER = "semantic_framer"
+
+
+class Kind(Enum):
+    """What a pass is for; it decides what its failure means."""
+
+    SPELLING = "writes what is said as the parser knows it"
+    DISFLUENCY = "removes what the speaker took back"
+    MEANING = "finds what a construction means"
+    POLICY = "decides what the robot makes of a sentence"
+    REPAIR = "corrects the parser; one that fails is skipped"
 
 
 @dataclass(frozen=True)
@@ -41,12 +51,14 @@ class Pass:
         what: one sentence that says what it does
         example: an example; a test runs it
         stage: the node that runs it
+        kind: what it is for; each row of the tables declares it by its class
     """
 
     name: str
     what: str
     example: Example
     stage: Stage
+    kind: ClassVar[Kind] = Kind.MEANING
 
 
 @dataclass(frozen=True)
@@ -54,6 +66,19 @@ class TextPass(Pass):
     """Rewrites the text, and keeps the origin of each character."""
 
     run: Callable[[Spelling], Spelling]
+    kind: ClassVar[Kind] = Kind.SPELLING
+
+
+class TextDisfluency(TextPass):
+    """Removes what the speaker took back from the text."""
+
+    kind = Kind.DISFLUENCY
+
+
+class TextMeaning(TextPass):
+    """Writes what a construction means."""
+
+    kind = Kind.MEANING
 
 
 @dataclass(frozen=True)
@@ -61,6 +86,19 @@ class WordPass(Pass):
     """Rewrites words of the text by the words that the robot knows, and keeps the origin of each character."""
 
     run: Callable[[Spelling, Verbs], Spelling]
+    kind: ClassVar[Kind] = Kind.SPELLING
+
+
+class WordDisfluency(WordPass):
+    """Removes what the speaker took back from words that the robot knows."""
+
+    kind = Kind.DISFLUENCY
+
+
+class WordRepair(WordPass):
+    """Writes words so that the parser does not take them for others."""
+
+    kind = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -88,6 +126,7 @@ class SurroundingsPass(Pass):
     """
 
     run: Callable[[Spelling, Vocabulary], Optional[Surroundings]]
+    kind: ClassVar[Kind] = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -99,6 +138,7 @@ class CutPass(Pass):
     """
 
     run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[int, ...]]
+    kind: ClassVar[Kind] = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -128,6 +168,7 @@ class TagPass(Pass):
     """
 
     run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[Retag, ...]]
+    kind: ClassVar[Kind] = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -141,6 +182,30 @@ class TreePass(Pass):
     run: Callable[[DependencyTree, Vocabulary], DependencyTree]
 
 
+class TreeMeaning(TreePass):
+    """Gives a construction the tree of what it means."""
+
+    kind = Kind.MEANING
+
+
+class TreeRepair(TreePass):
+    """Corrects what the parser attached or tagged wrongly."""
+
+    kind = Kind.REPAIR
+
+
+class TreeDisfluency(TreePass):
+    """Sets aside what the speaker took back."""
+
+    kind = Kind.DISFLUENCY
+
+
+class TreePolicy(TreePass):
+    """Decides what the robot makes of a sentence."""
+
+    kind = Kind.POLICY
+
+
 @dataclass(frozen=True)
 class Choice:
     """One of several readings of a sentence that a person can choose.
@@ -152,6 +217,13 @@ class Choice:
 
     text: str
     tree: DependencyTree
+
+
+class PassFailed(RuntimeError):
+    """A pass raised an error that no sentence may cause; the message names the pass."""
+
+    def __init__(self, name: str, error: Exception) -> None:
+        super().__init__(f'the pass "{name}" failed: {type(error).__name__}: {error}')
 
 
 class Uncertain(Exception):

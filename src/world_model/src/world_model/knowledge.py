@@ -1,9 +1,14 @@
-"""Changes of what the robot knows: the file of the world says one part, updates say the other."""
+"""Changes of what the robot knows: the file of the world says one part, updates say the other.
+
+Updates of this run are newer than those of earlier ones, whatever their stamps: each run may have a clock of its own,
+and a simulated one begins at 0. Where something is and in which states it is may have changed since an earlier run; so
+both keep the time at which they were learned.
+"""
 
 from dataclasses import dataclass, field, replace
 from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple, Union
 
-from world_model.world_object import FILE, WorldObject, is_id, mistakes
+from world_model.world_object import FILE, Sort, WorldObject, is_id, mistakes
 
 #: Objects that are stored; a snapshot has fewer.
 MOST_STORED = 20000
@@ -19,6 +24,10 @@ OPPOSITES: Tuple[FrozenSet[str], ...] = (
     frozenset(["standing", "sitting", "lying", "walking"]),
     frozenset(["awake", "asleep"]),
 )
+#: A clock that goes back by more than this, seconds, is the clock of another run.
+_SET_BACK_S = 1.0
+#: What stays where it is from run to run.
+_FIXED = frozenset([Sort.PLACE, Sort.DOOR])
 _OPPOSITES_OF: Mapping[str, FrozenSet[str]] = {word: words for words in OPPOSITES for word in words}
 
 
@@ -40,11 +49,26 @@ class Learned:
         about: what they said together
         is_whole: whether this is all that is known; otherwise it is laid over what the file says
         is_gone: whether the object of the file no longer exists
+        place_s: Unix time at which its place was learned; 0 where the file says it, or nobody
+        states_s: the same of its states
     """
 
     about: WorldObject
     is_whole: bool = False
     is_gone: bool = False
+    place_s: float = 0.0
+    states_s: float = 0.0
+
+    def of_before(self) -> "Learned":
+        """Return it as a later run knows it: older than everything that this one learns."""
+        is_fixed = not self.about.is_placed or self.about.sort in _FIXED
+        about = replace(
+            self.about,
+            stamp_s=0.0,
+            place_of_before_s=0.0 if is_fixed else self.place_s,
+            states_of_before_s=self.states_s if self.about.states else 0.0,
+        )
+        return replace(self, about=about)
 
 
 @dataclass(frozen=True)
@@ -72,9 +96,22 @@ class Knowledge:
     """What the file says and what was learned, as one mapping of objects by id."""
 
     def __init__(self, of_file: Iterable[WorldObject] = (), learned: Mapping[str, Learned] = {}) -> None:
+        """
+        Args:
+            of_file: what the file of the world says
+            learned: by earlier runs
+        """
         self._of_file = {one.id: replace(one, source=FILE, stamp_s=0.0) for one in of_file}
         self._learned: Dict[str, Learned] = dict(learned)
         self._objects: Dict[str, WorldObject] = {}
+        self._clock_s = 0.0
+        self._begin_run()
+
+    def _begin_run(self) -> None:
+        """What is known from now on was learned by earlier runs."""
+        self._learned = {name: learned.of_before() for name, learned in self._learned.items()}
+        self._clock_s = 0.0
+        self._objects = {}
         for name in {**self._of_file, **self._learned}:
             self._lay_over(name)
 
@@ -83,35 +120,33 @@ class Knowledge:
         """The objects that exist, by id."""
         return self._objects
 
-    def plan(self, update: Update, now_s: float) -> Union[Change, Tuple[Refused, ...]]:
+    def plan(self, update: Update, now_s: float, unix_s: float = 0.0) -> Union[Change, Tuple[Refused, ...]]:
         """Return what an update changes, or why it is refused as a whole; nothing is changed yet.
 
         Args:
             update: the update
-            now_s: ROS time, for objects without a stamp
+            now_s: ROS time, for objects without a stamp, or with one of another clock
+            unix_s: the time of day, for what a later run tells of it
         """
         refused = self._refused(update)
         if refused:
             return refused
+        if 0.0 < now_s < self._clock_s - _SET_BACK_S:
+            self._begin_run()
+        self._clock_s = max(self._clock_s, now_s)
         changed: Dict[str, Learned] = {}
         for one in update.objects:
-            stamped = one if one.stamp_s else replace(one, stamp_s=max(now_s, 0.0))
+            stamped = _of_this_run(one, now_s)
             known = self._known(one.id, changed)
             if known is not None and stamped.stamp_s < known.stamp_s:
                 continue
             before = changed.get(one.id) or self._learned.get(one.id)
-            if update.replaces or (before is not None and before.is_gone):
-                changed[one.id] = Learned(stamped, is_whole=True)
-            elif before is not None:
-                changed[one.id] = replace(before, about=merged(before.about, stamped))
-            else:
-                changed[one.id] = Learned(stamped)
+            changed[one.id] = _learned(stamped, before, unix_s, replaces=update.replaces)
         for name in update.missing:
             known = self._known(name, changed)
             if known is not None:
-                left = tuple(relation for relation in known.relations if relation not in known.places)
-                about = replace(known, pose=None, relations=left, stamp_s=max(now_s, known.stamp_s))
-                changed[name] = Learned(about, is_whole=True)
+                about = replace(known.without_place(), stamp_s=max(now_s, known.stamp_s))
+                changed[name] = replace(self._times(name, changed), about=about, is_whole=True, place_s=0.0)
         gone = frozenset(update.gone)
         for name in update.gone:
             if name in self._of_file:
@@ -121,6 +156,10 @@ class Knowledge:
         if gone:
             self._without_relations_to(gone, changed)
         return Change(changed, tuple(name for name in update.gone if name in self._learned and name not in changed))
+
+    def forget(self) -> Change:
+        """Return the change that leaves what the file says, and nothing else."""
+        return Change(forgotten=tuple(self._learned))
 
     def apply(self, change: Change) -> None:
         """Make a change that has been stored."""
@@ -141,7 +180,11 @@ class Knowledge:
             if known is None or name in gone or not any(one.reference in gone for one in known.relations):
                 continue
             left = tuple(relation for relation in known.relations if relation.reference not in gone)
-            changed[name] = Learned(replace(known, relations=left), is_whole=True)
+            changed[name] = replace(self._times(name, changed), about=replace(known, relations=left), is_whole=True)
+
+    def _times(self, name: str, changed: Mapping[str, Learned]) -> Learned:
+        """Return what was learned of an object before, which has the times at which that was."""
+        return changed.get(name) or self._learned.get(name) or Learned(WorldObject(name))
 
     def _refused(self, update: Update) -> Tuple[Refused, ...]:
         count = len(update.objects) + len(update.missing) + len(update.gone)
@@ -178,9 +221,35 @@ class Knowledge:
         return learned.about if learned.is_whole or of_file is None else merged(of_file, learned.about)
 
 
+def _of_this_run(one: WorldObject, now_s: float) -> WorldObject:
+    """Return an object of an update with a stamp of the clock of this run; nothing was seen later than now."""
+    stamp_s = min(one.stamp_s, now_s) if now_s > 0.0 and one.stamp_s else one.stamp_s or max(now_s, 0.0)
+    return replace(one, stamp_s=stamp_s, place_of_before_s=0.0, states_of_before_s=0.0)
+
+
+def _learned(said: WorldObject, before: Optional[Learned], unix_s: float, *, replaces: bool) -> Learned:
+    """Return what is stored of an object after an update said something."""
+    place_s, states_s = unix_s if said.is_placed else 0.0, unix_s if said.states else 0.0
+    if replaces or (before is not None and before.is_gone):
+        return Learned(said, is_whole=True, place_s=place_s, states_s=states_s)
+    if before is None:
+        return Learned(said, place_s=place_s, states_s=states_s)
+    return replace(
+        before,
+        about=merged(before.about, said),
+        place_s=place_s or before.place_s,
+        states_s=states_s or before.states_s,
+    )
+
+
 def merged(known: WorldObject, said: WorldObject) -> WorldObject:
-    """Return what is known after somebody said more; an empty attribute leaves what is known."""
-    is_placed = said.pose is not None or bool(said.places)
+    """Return what is known after somebody said more; an empty attribute leaves what is known.
+
+    States of an earlier run are not mixed with what this one says: nobody could say which of them still hold.
+    """
+    is_placed = said.is_placed
+    is_mixed = bool(known.states_of_before_s) and not said.states_of_before_s and bool(said.states)
+    states = () if is_mixed else known.states
     words = {relation.relation for relation in said.relations}
     kept = tuple(
         one for one in known.relations if one.relation not in words and not (is_placed and one in known.places)
@@ -197,6 +266,8 @@ def merged(known: WorldObject, said: WorldObject) -> WorldObject:
         size_m=said.size_m if any(said.size_m) else known.size_m,
         pose=said.pose if is_placed else known.pose,
         relations=kept + said.relations,
-        states=tuple(state for state in known.states if state not in opposed) + said.states,
+        states=tuple(state for state in states if state not in opposed) + said.states,
         source=said.source or known.source,
+        place_of_before_s=said.place_of_before_s if is_placed else known.place_of_before_s,
+        states_of_before_s=said.states_of_before_s if said.states else known.states_of_before_s,
     )

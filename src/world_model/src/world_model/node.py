@@ -2,6 +2,7 @@
 
 import os
 import threading
+import time
 from dataclasses import dataclass, replace
 from typing import Dict, Optional, Tuple, Union
 
@@ -9,6 +10,7 @@ import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FileProblem, KnownName, KnownNames, World, WorldUpdate
 from roboframenet_msgs.srv import UpdateWorld, UpdateWorldRequest, UpdateWorldResponse
+from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -17,10 +19,10 @@ from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.sqlite_file import StoreError
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import read_text
-from world_model.knowledge import Knowledge, Refused
+from world_model.knowledge import Change, Knowledge, Refused
 from world_model.names import known_names
 from world_model.ros_messages import pose_from_message, update_from_message, world_to_message
-from world_model.store import Store
+from world_model.store import Store, default_memory_file, forgotten_in_words
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
 from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject
@@ -32,7 +34,8 @@ class Settings(Parameters):
 
     Attributes:
         world_file: what the robot knows from the start; empty for nothing
-        memory_file: where it keeps what it learned; empty for ``world.sqlite`` in the ROS home folder
+        memory_file: where it keeps what it learned; empty for ``world.sqlite`` in the ROS home folder, ":memory:" to
+            forget it with the end of the run
         snapshot_period_s: the snapshot is published at most so often, seconds
         robot_step_m: the pose of the robot is published again when it has moved so far, metres
 
@@ -54,7 +57,7 @@ class WorldModel:
     Publishes:
         world (World, latched), known_names (KnownNames, latched), file_problems (FileProblems, latched)
     Services:
-        update_world (UpdateWorld)
+        update_world (UpdateWorld), forget_world (std_srvs/Trigger): forget everything that was learned
     Parameters: see :class:`Settings`.
     """
 
@@ -68,9 +71,7 @@ class WorldModel:
         """
         self._settings = settings
         self._changed = threading.Condition()
-        path = os.path.expanduser(
-            settings.memory_file or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "world.sqlite")
-        )
+        path = os.path.expanduser(settings.memory_file or default_memory_file())
         try:
             self._store = Store(path)
             learned = self._store.load()
@@ -92,7 +93,10 @@ class WorldModel:
         self._thread = threading.Thread(target=self._tell, name="tell the world", daemon=True)
         self._thread.start()
         rospy.on_shutdown(self._close)
-        self._service = rospy.Service("update_world", UpdateWorld, self._on_request)
+        self._services = [
+            rospy.Service("update_world", UpdateWorld, self._on_request),
+            rospy.Service("forget_world", Trigger, self._on_forget),
+        ]
         self._subscribers = [
             rospy.Subscriber("world_updates", WorldUpdate, self._on_update, queue_size=100),
             rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1),
@@ -110,6 +114,27 @@ class WorldModel:
             version=self._version,
         )
 
+    def _on_forget(self, _: TriggerRequest) -> TriggerResponse:
+        with self._changed:
+            change = self._knowledge.forget()
+            problem = self._take(change)
+        if problem:
+            return TriggerResponse(success=False, message=problem)
+        rospy.loginfo("everything that was learned is forgotten: %d entries", len(change.forgotten))
+        return TriggerResponse(success=True, message=forgotten_in_words(len(change.forgotten)))
+
+    def _take(self, change: Change) -> str:
+        """Store a change and know it from then on; returns why it was not stored. Called with the lock."""
+        try:
+            self._version = self._store.write(change)
+        except StoreError as error:
+            rospy.logerr_throttle(10.0, str(error))
+            return str(error)
+        self._knowledge.apply(change)
+        self._is_new = True
+        self._changed.notify_all()
+        return ""
+
     def _on_update(self, message: WorldUpdate) -> None:
         answer = self._update(message)
         if not isinstance(answer, str):
@@ -123,19 +148,11 @@ class WorldModel:
         except ValueError as error:
             return (Refused(None, str(error)),)
         with self._changed:
-            change = self._knowledge.plan(update, rospy.Time.now().to_sec())
+            change = self._knowledge.plan(update, rospy.Time.now().to_sec(), time.time())
             if isinstance(change, tuple):
                 return change
-            if not change.is_empty:
-                try:
-                    self._version = self._store.write(change)
-                except StoreError as error:
-                    rospy.logerr_throttle(10.0, str(error))
-                    return (Refused(None, str(error)),)
-                self._knowledge.apply(change)
-                self._is_new = True
-                self._changed.notify_all()
-            return self._version
+            problem = "" if change.is_empty else self._take(change)
+            return (Refused(None, problem),) if problem else self._version
 
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
         pose = pose_from_message(PoseStamped(header=message.header, pose=message.pose.pose))

@@ -61,6 +61,8 @@ def object_to_message(one: WorldObject) -> msg.WorldObject:
         states=list(one.states),
         source=one.source,
         stamp=rospy.Time.from_sec(one.stamp_s),
+        place_of_before=rospy.Time.from_sec(one.place_of_before_s),
+        states_of_before=rospy.Time.from_sec(one.states_of_before_s),
     )
 
 
@@ -79,6 +81,8 @@ def object_from_message(message: msg.WorldObject) -> WorldObject:
         states=tuple(message.states),
         source=message.source,
         stamp_s=message.stamp.to_sec(),
+        place_of_before_s=message.place_of_before.to_sec(),
+        states_of_before_s=message.states_of_before.to_sec(),
     )
 
 

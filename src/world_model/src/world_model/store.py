@@ -1,9 +1,10 @@
 """Keeps what was learned in a SQLite file: what was acknowledged survives a killed process and a power cut."""
 
 import json
+import os
 import sqlite3
 import uuid
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, Dict, List, Mapping, Tuple
 
 from roboframenet_ros.sqlite_file import SqliteFile
@@ -12,6 +13,21 @@ from world_model.world_object import Pose, Relation, Sort, WorldObject, mistakes
 
 #: Written into the file; another number is a file of another program or version.
 SCHEMA = 1
+#: What a run knows of the runs before it; each finds that out anew.
+_OF_A_RUN = ("place_of_before_s", "states_of_before_s")
+#: A stamp that is greater is one of the clock of the day: seconds since 1970.
+_CLOCK_OF_THE_DAY_S = 1e9
+
+
+def default_memory_file() -> str:
+    """Return where the robot keeps what it learned when nobody names another file."""
+    return os.path.join(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros")), "world.sqlite")
+
+
+def forgotten_in_words(count: int) -> str:
+    """Return what was forgotten, as a sentence for a person."""
+    about = "1 object" if count == 1 else f"{count} objects"
+    return f"The robot has forgotten what it had learned of {about}."
 
 
 def _create(connection: sqlite3.Connection) -> None:
@@ -80,13 +96,26 @@ class Store:
             store, number = connection.execute("SELECT store, number FROM version").fetchone()
         return f"{store}-{number}"
 
+    def clear(self) -> int:
+        """Forget everything that was learned; return of how many objects that was.
+
+        Raises:
+            StoreError: it is not forgotten
+        """
+        with self._file.reading() as connection:
+            names = tuple(name for (name,) in connection.execute("SELECT id FROM learned").fetchall())
+        self.write(Change(forgotten=names))
+        return len(names)
+
     def close(self) -> None:
         """Close the file."""
         self._file.close()
 
 
 def _to_text(learned: Learned) -> str:
-    return json.dumps({**asdict(learned.about), "is_whole": learned.is_whole, "is_gone": learned.is_gone})
+    about = {key: value for key, value in asdict(learned.about).items() if key not in _OF_A_RUN}
+    others = {key: getattr(learned, key) for key in ("is_whole", "is_gone", "place_s", "states_s")}
+    return json.dumps({**about, **others})
 
 
 def _from_text(name: str, text: str) -> Learned:
@@ -97,6 +126,11 @@ def _from_text(name: str, text: str) -> Learned:
     """
     entry: Dict[str, Any] = json.loads(text)
     is_whole, is_gone = bool(entry.pop("is_whole")), bool(entry.pop("is_gone"))
+    is_of_day = entry["stamp_s"] > _CLOCK_OF_THE_DAY_S
+    # An entry of a version that did not keep the times has the stamp alone, which may be that of a simulated clock.
+    is_undated = "place_s" not in entry and not is_of_day
+    stamp_s = entry["stamp_s"] if is_of_day else 0.0
+    place_s, states_s = float(entry.pop("place_s", stamp_s)), float(entry.pop("states_s", stamp_s))
     pose: Any = entry.pop("pose")
     relations: List[Mapping[str, str]] = entry.pop("relations")
     lists = {key: tuple(value) for key, value in entry.items() if isinstance(value, list)}
@@ -108,4 +142,7 @@ def _from_text(name: str, text: str) -> Learned:
     reasons = mistakes(about)
     if reasons or about.id != name:
         raise ValueError("; ".join(reasons) or f"it is about {about.id!r}")
-    return Learned(about, is_whole, is_gone)
+    if is_undated and about.sort not in (Sort.PLACE, Sort.DOOR):
+        # Nobody can say when that was.
+        about = replace(about.without_place(), states=())
+    return Learned(about, is_whole, is_gone, place_s, states_s)

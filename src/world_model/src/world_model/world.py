@@ -1,7 +1,7 @@
 """A snapshot of what the robot knows, and the queries on it."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
@@ -79,8 +79,16 @@ class World:
 
     @property
     def held(self) -> Tuple["WorldObject", ...]:
-        """What the robot holds."""
-        return tuple(self.by_id[name] for name in self._related.get(ROBOT_ID, {}).get(_HELD, ()))
+        """What the robot holds; what an earlier run held may have been taken out of its hand since."""
+        held = (self.by_id[name] for name in self._related.get(ROBOT_ID, {}).get(_HELD, ()))
+        return tuple(one for one in held if not one.place_of_before_s)
+
+    @cached_property
+    def of_this_run(self) -> "World":
+        """The same without what earlier runs knew of places and states, which may have changed since."""
+        if not any(one.place_of_before_s or one.states_of_before_s for one in self.objects):
+            return self
+        return World(self.version, tuple(map(_of_this_run, self.objects)), self.left_out)
 
     @cached_property
     def _by_name(self) -> Mapping[str, Tuple[WorldObject, ...]]:
@@ -292,6 +300,11 @@ class World:
     def owners(self, one: WorldObject) -> Tuple[WorldObject, ...]:
         """Return the known persons that an object belongs to."""
         return tuple(owner for name in one.related("of") for owner in [self.get(name)] if owner is not None)
+
+
+def _of_this_run(one: WorldObject) -> WorldObject:
+    one = one.without_place() if one.place_of_before_s else one
+    return replace(one, states=(), states_of_before_s=0.0) if one.states_of_before_s else one
 
 
 def category_of(one: WorldObject) -> str:

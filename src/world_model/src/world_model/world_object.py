@@ -3,7 +3,7 @@
 import enum
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import FrozenSet, List, Optional, Tuple
 
@@ -74,7 +74,10 @@ class WorldObject:
 
     Attributes:
         size_m: edges of its box along the axes of its pose, metres; 0 when unknown
-        stamp_s: ROS time, seconds; 0 for what the file says
+        stamp_s: ROS time, seconds; 0 for what the file says, and for what an earlier run learned by another clock
+        place_of_before_s: Unix time at which an earlier run learned where it is; 0 for what this run learned or the
+            file says
+        states_of_before_s: the same of its states
     """
 
     id: str
@@ -89,6 +92,18 @@ class WorldObject:
     states: Tuple[str, ...] = ()
     source: str = ""
     stamp_s: float = 0.0
+    place_of_before_s: float = 0.0
+    states_of_before_s: float = 0.0
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether it is known where it is, or was."""
+        return self.pose is not None or bool(self.places)
+
+    def without_place(self) -> "WorldObject":
+        """Return it as it is known when nobody knows where it is."""
+        left = tuple(relation for relation in self.relations if relation not in self.places)
+        return replace(self, pose=None, relations=left, place_of_before_s=0.0)
 
     @property
     def names(self) -> Tuple[str, ...]:
@@ -137,7 +152,7 @@ def mistakes(one: WorldObject) -> Tuple[str, ...]:
     for relation in one.relations:
         if not relation.relation or not is_id(relation.reference) or relation.reference == one.id:
             found.append(f"the relation {relation.relation!r} to {relation.reference[:LONGEST_TEXT]!r} is none")
-    numbers = [*one.size_m, one.stamp_s]
+    numbers = [*one.size_m, one.stamp_s, one.place_of_before_s, one.states_of_before_s]
     if one.pose is not None:
         numbers += [one.pose.x_m, one.pose.y_m, one.pose.z_m, *one.pose.orientation]
     if not all(map(math.isfinite, numbers)):

@@ -15,6 +15,7 @@ import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from roboframenet_msgs.msg import KnownNames, World, WorldObject, WorldRelation, WorldUpdate
 from roboframenet_msgs.srv import UpdateWorld, UpdateWorldResponse
+from std_srvs.srv import Trigger
 
 from roboframenet_testing import wait_until
 
@@ -106,6 +107,21 @@ class WorldModelTest(unittest.TestCase):
         answer = self.update(thing("last"))
         wait_until(lambda: self.worlds[-1].version == answer.version)
         self.assertLessEqual(acknowledged | {"mug_1", "cup_1", "table_1", "last"}, self.ids())
+
+    def test_7_what_was_learned_before_a_restart_is_of_an_earlier_run(self) -> None:
+        known = {one.id: one for one in self.worlds[-1].objects}
+        self.assertGreater(known["mug_1"].place_of_before.to_sec(), 1e9)
+        self.assertEqual(known["table_1"].place_of_before.to_sec(), 0.0)
+        self.update(thing("mug_1", relations=[WorldRelation("held_by", "anna")]))
+        wait_until(
+            lambda: [one.place_of_before.to_sec() for one in self.worlds[-1].objects if one.id == "mug_1"] == [0]
+        )
+
+    def test_8_forgetting_leaves_what_the_file_says(self) -> None:
+        answer = rospy.ServiceProxy("forget_world", Trigger)()
+        self.assertTrue(answer.success, answer.message)
+        # Where the robot is now was not learned.
+        wait_until(lambda: self.ids() - {"robot"} == {"kitchen", "table_1", "anna"})
 
     def kill(self) -> None:
         master = rosgraph.Master("/world_model_test")

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from world_model import Pose, Relation, WorldObject
+from world_model import Pose, Relation, Sort, WorldObject
 from world_model.knowledge import Change, Knowledge, Update
 
 TABLE = WorldObject("table_1", category="table")
@@ -97,3 +97,70 @@ def test_too_much_is_refused() -> None:
     many = tuple(WorldObject(f"thing_{number}") for number in range(5001))
     refused = Knowledge().plan(Update(many), 1.0)
     assert refused[0].position is None
+
+
+SEEN = WorldObject("mug_1", relations=(Relation("on", "table_1"),), states=("full",))
+YESTERDAY_S, TODAY_S = 1.7e9, 1.7001e9
+
+
+def after_a_run(*told: WorldObject, now_s: float = YESTERDAY_S) -> Knowledge:
+    """Return what the next run knows after one that was told of objects."""
+    change = Knowledge([TABLE, MUG]).plan(Update(told or (SEEN,)), now_s, YESTERDAY_S)
+    assert isinstance(change, Change), change
+    return Knowledge([TABLE, MUG], change.learned)
+
+
+def test_what_an_earlier_run_learned_has_the_time_of_day_and_the_file_has_none() -> None:
+    known = after_a_run().objects
+    assert known["mug_1"].related("on") == ("table_1",)
+    assert (known["mug_1"].place_of_before_s, known["mug_1"].states_of_before_s) == (YESTERDAY_S, YESTERDAY_S)
+    assert (known["table_1"].place_of_before_s, known["table_1"].states_of_before_s) == (0.0, 0.0)
+
+
+def test_places_and_doors_stay_where_they_are() -> None:
+    room = WorldObject("kitchen", Sort.PLACE, pose=Pose("map", 1.0, 2.0))
+    assert after_a_run(room).objects["kitchen"].place_of_before_s == 0.0
+
+
+@pytest.mark.parametrize("now_s", [0.0, 3.0, TODAY_S])
+def test_this_run_is_newer_whatever_its_clock(now_s: float) -> None:
+    knowledge = after_a_run()
+    change = knowledge.plan(Update((WorldObject("mug_1", relations=(Relation("held_by", "anna"),)),)), now_s, TODAY_S)
+    assert isinstance(change, Change)
+    knowledge.apply(change)
+    mug = knowledge.objects["mug_1"]
+    assert (mug.related("held_by"), mug.place_of_before_s) == (("anna",), 0.0)
+    # Nobody has looked into it in this run.
+    assert (mug.states, mug.states_of_before_s) == (("full",), YESTERDAY_S)
+
+
+def test_states_of_two_runs_are_not_mixed() -> None:
+    knowledge = after_a_run(WorldObject("mug_1", states=("full", "dirty")))
+    updated(knowledge, Update((WorldObject("mug_1", states=("empty",)),)))
+    mug = knowledge.objects["mug_1"]
+    assert (mug.states, mug.states_of_before_s) == (("empty",), 0.0)
+
+
+def test_clock_that_goes_back_begins_a_run() -> None:
+    knowledge = Knowledge([TABLE, MUG])
+    for now_s, holder in ((500.0, "anna"), (499.5, "ben"), (2.0, "table_1"), (3.0, "shelf_1")):
+        one = WorldObject("mug_1", relations=(Relation("on", holder),), stamp_s=now_s)
+        change = knowledge.plan(Update((one,)), now_s, YESTERDAY_S)
+        assert isinstance(change, Change)
+        knowledge.apply(change)
+        # The second is only a late message of the same clock.
+        assert knowledge.objects["mug_1"].related("on") == ("anna" if holder == "ben" else holder,)
+
+
+def test_stamp_of_another_clock_is_no_stamp_of_the_future() -> None:
+    knowledge = Knowledge([TABLE, MUG])
+    updated(knowledge, Update((replace(SEEN, stamp_s=YESTERDAY_S),)), now_s=10.0)
+    updated(knowledge, Update((WorldObject("mug_1", states=("empty",), stamp_s=11.0),)), now_s=11.0)
+    assert knowledge.objects["mug_1"].states == ("empty",)
+
+
+def test_forgetting_leaves_what_the_file_says() -> None:
+    knowledge = Knowledge([TABLE, MUG])
+    updated(knowledge, Update((SEEN, WorldObject("cup_1")), gone=("table_1",)))
+    knowledge.apply(knowledge.forget())
+    assert knowledge.objects == Knowledge([TABLE, MUG]).objects

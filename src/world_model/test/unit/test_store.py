@@ -4,13 +4,14 @@ import os
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from roboframenet_ros.sqlite_file import StoreError
 from world_model import Pose, Relation, WorldObject
-from world_model.knowledge import Change, Learned
+from world_model.knowledge import Change, Knowledge, Learned
 from world_model.store import Store
 
 MUG = WorldObject("mug_1", attributes=("red",), pose=Pose("map", 1.0, 2.0), relations=(Relation("on", "table_1"),))
@@ -28,6 +29,18 @@ def test_what_was_written_is_read_again(tmp_path) -> None:
     assert again.next_version() not in ("", first)
     again.write(Change(forgotten=("cup",)))
     assert set(again.load()) == {"mug_1"}
+
+
+@pytest.mark.parametrize("stamp_s, is_kept", [(1.7e9, True), (300.0, False)])
+def test_entry_without_times_has_that_of_its_stamp_or_none(stamp_s: float, is_kept: bool, tmp_path) -> None:
+    store = Store(str(tmp_path / "world.sqlite"))
+    store.write(Change({"mug_1": Learned(replace(MUG, stamp_s=stamp_s))}))
+    without = "json_remove(entry, '$.place_s', '$.states_s')"
+    store._file.connection.execute(f"UPDATE learned SET entry = {without}")
+    mug = Knowledge((), store.load()).objects["mug_1"]
+    assert (mug.is_placed, mug.place_of_before_s) == (is_kept, stamp_s if is_kept else 0.0)
+    assert store.clear() == 1
+    assert store.load() == {}
 
 
 @pytest.mark.parametrize("content", [b"no database, " * 500, b"SQLite format 3\0" + b"\xff" * 5000])

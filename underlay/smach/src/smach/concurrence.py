@@ -56,7 +56,7 @@ class Concurrence(Container):
         outcome_cb: Optional[Callable[[ChildOutcomes], Optional[str]]] = None,
         child_termination_cb: Optional[ChildTerminationCallback] = None,
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys)
+        Container.__init__(self, outcomes, input_keys, output_keys)
         self._outcome_map = {outcome: dict(children) for outcome, children in (outcome_map or {}).items()}
         registered = self.get_registered_outcomes()
         problems = [
@@ -103,23 +103,34 @@ class Concurrence(Container):
         """Check the outcome map.
 
         Raises:
-            InvalidTransitionError: an outcome or a label in them is unknown
+            InvalidTransitionError: an outcome or a label in it is unknown
         """
-        problems = []
+        problems = [
+            f"The map of '{outcome}' names the state '{label}', which is missing."
+            for outcome, label in self._missing_states()
+        ]
         for outcome, children in self._outcome_map.items():
             for label, child_outcome in children.items():
-                if label not in self._states:
-                    problems.append(f"The map of '{outcome}' names the state '{label}', which is missing.")
-                elif child_outcome not in self._states[label].get_registered_outcomes():
+                if label in self._states and child_outcome not in self._states[label].get_registered_outcomes():
                     problems.append(f"State '{label}' in the map of '{outcome}' has no outcome '{child_outcome}'.")
         if problems:
             raise InvalidTransitionError("Concurrence failed consistency check: " + "\n\t".join(problems))
+
+    def _missing_states(self) -> List[Tuple[str, str]]:
+        """Outcomes of the map with the labels that they name and no state has."""
+        return [
+            (outcome, label)
+            for outcome, children in self._outcome_map.items()
+            for label in children
+            if label not in self._states
+        ]
 
     def execute(self, parent_ud: Any = None) -> Optional[str]:
         """Run all states and wait until they have ended.
 
         Returns:
-            the outcome; None when the container is not consistent, or the program shuts down and a state says so
+            the outcome; None when the outcome map names a state that is missing, or the program shuts down and a state
+            says so
 
         Raises:
             InvalidStateError: there is no state to run
@@ -127,7 +138,7 @@ class Concurrence(Container):
         """
         if not self._states:
             raise InvalidStateError("The concurrence holds no states.")
-        if not self._is_consistent():
+        if not self._is_consistent() and self._missing_states():
             return None
         self._copy_input_keys(parent_ud, self.userdata)
         with self._lock:

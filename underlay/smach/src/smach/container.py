@@ -52,7 +52,8 @@ class Container(State):
         output_keys: Iterable[str] = (),
         io_keys: Iterable[str] = (),
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys, io_keys)
+        # Not super(): programs call the constructor of a container with a state that is none, as SMACH allows.
+        State.__init__(self, outcomes, input_keys, output_keys, io_keys)
         self.userdata = UserData()
         # Guards what request_preempt, introspection and the running thread share. Reentrant: callbacks of the user
         # run in it and may ask the container about itself.

@@ -39,7 +39,7 @@ class Iterator(Container):
         it_label: str = "it_data",
         exhausted_outcome: str = "exhausted",
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys)
+        Container.__init__(self, outcomes, input_keys, output_keys)
         self.register_outcomes([exhausted_outcome])
         self._items = it
         self._items_label = it_label
@@ -243,12 +243,16 @@ class Iterator(Container):
         return list(self.get_children())
 
     def get_internal_edges(self) -> List[Tuple[str, str, Optional[str]]]:
-        """Transitions as (outcome, label of the state, label of the state or outcome of the iterator)."""
+        """Transitions as (outcome, label of the state, label of the state or outcome of the iterator).
+
+        The target is None where the outcome of the state becomes the outcome of the iterator. An iterator that has no
+        more items ends by no outcome of the state, so that is no transition.
+        """
         if self._state is None:
             return []
         edges: List[Tuple[str, str, Optional[str]]] = []
         for outcome in self._state.get_registered_outcomes():
-            target = self._final(outcome) if self._ends(outcome) else self._label
-            edges.append((outcome, self._label, target))
-        edges.append((self._exhausted_outcome, self._label, self._final(self._exhausted_outcome)))
+            final = self._final(outcome)
+            end = None if final == outcome else final
+            edges.append((outcome, self._label, end if self._ends(outcome) else self._label))
         return edges

@@ -1,19 +1,42 @@
 """Logging of SMACH: the standard logger "smach", or functions that the user sets."""
 
 import logging
-from typing import Any, Callable
+import sys
+from typing import Any, Callable, Optional
 
 _LOGGER = logging.getLogger("smach")
 
 LogFunction = Callable[..., Any]
 
 
-def _info(msg: Any, *args: Any) -> None:
-    """Log to the standard logger; print when the program has not set up logging, which would drop the message."""
+def _is_for_files_alone() -> bool:
+    """Whether no handler but those of files gets what is logged: ROS sets up such a log for a node, and no screen."""
+    logger: Optional[logging.Logger] = _LOGGER
+    while logger is not None:
+        if any(not isinstance(handler, logging.FileHandler) for handler in logger.handlers):
+            return False
+        logger = logger.parent if logger.propagate else None
+    return True
+
+
+def _log(level: int, msg: Any, *args: Any) -> None:
+    """Log to the standard logger, and print what nobody would see: a program may have no log, or one in files alone."""
     if _LOGGER.hasHandlers():
-        _LOGGER.info(msg, *args)
-    else:
-        print(str(msg) % args if args else msg, flush=True)
+        _LOGGER.log(level, msg, *args)
+    if level >= logging.INFO and _is_for_files_alone():
+        print(str(msg) % args if args else msg, flush=True, file=sys.stdout if level == logging.INFO else sys.stderr)
+
+
+def _info(msg: Any, *args: Any) -> None:
+    _log(logging.INFO, msg, *args)
+
+
+def _warn(msg: Any, *args: Any) -> None:
+    _log(logging.WARNING, msg, *args)
+
+
+def _error(msg: Any, *args: Any) -> None:
+    _log(logging.ERROR, msg, *args)
 
 
 class _Loggers:
@@ -21,9 +44,9 @@ class _Loggers:
 
     def __init__(self) -> None:
         self.info: LogFunction = _info
-        self.warn: LogFunction = _LOGGER.warning
+        self.warn: LogFunction = _warn
         self.debug: LogFunction = _LOGGER.debug
-        self.error: LogFunction = _LOGGER.error
+        self.error: LogFunction = _error
 
 
 _loggers = _Loggers()

@@ -21,7 +21,7 @@ class Sequence(StateMachine):
         input_keys: Iterable[str] = (),
         output_keys: Iterable[str] = (),
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys)
+        StateMachine.__init__(self, outcomes, input_keys, output_keys)
         self._connector_outcome = connector_outcome
         # The state added last, if nothing leads from it to the next one.
         self._dead_end: Optional[str] = None

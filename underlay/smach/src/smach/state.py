@@ -108,7 +108,7 @@ class CBState(State):
         output_keys: Iterable[str] = (),
         io_keys: Iterable[str] = (),
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys, io_keys)
+        State.__init__(self, outcomes, input_keys, output_keys, io_keys)
         self._cb = cb
         self._cb_args = tuple(cb_args)
         self._cb_kwargs = dict(cb_kwargs or {})

@@ -24,7 +24,7 @@ class StateMachine(Container):
     def __init__(
         self, outcomes: Iterable[str], input_keys: Iterable[str] = (), output_keys: Iterable[str] = ()
     ) -> None:
-        super().__init__(outcomes, input_keys, output_keys)
+        Container.__init__(self, outcomes, input_keys, output_keys)
         self._states: Dict[str, State] = {}
         self._transitions: Dict[str, Dict[str, Optional[str]]] = {}
         self._remappings: Dict[str, Dict[str, str]] = {}

@@ -90,12 +90,29 @@ machine.execute()
 """
 
 
+FILE_ALONE = """
+import logging
+logging.getLogger().addHandler(logging.FileHandler({path!r}))
+logging.getLogger().setLevel(logging.INFO)
+"""
+
+
+def run(program):
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
+
+
 @pytest.mark.parametrize(
     "setup,is_printed", [("", True), ("import logging; logging.basicConfig(level=logging.WARNING)", False)]
 )
 def test_program_that_sets_up_no_logging_prints_the_transitions(setup, is_printed):
-    printed = subprocess.run(
-        [sys.executable, "-c", setup + PROGRAM], stdout=subprocess.PIPE, text=True, timeout=60, check=True
-    ).stdout
+    printed = run(setup + PROGRAM).stdout
     assert ("State machine terminating 'ONLY':'done':'done'" in printed) == is_printed
     assert ("50%" in printed.splitlines()) == is_printed
+
+
+def test_program_whose_log_is_a_file_alone_prints_the_transitions_too(tmp_path):
+    path = tmp_path / "log"
+    run_result = run(FILE_ALONE.format(path=str(path)) + PROGRAM + "smach.logwarn('odd')")
+    for text in (run_result.stdout, path.read_text()):
+        assert "State machine terminating 'ONLY':'done':'done'" in text and "50%" in text.splitlines()
+    assert run_result.stderr.splitlines() == ["odd"] and "odd" in path.read_text()

@@ -212,6 +212,63 @@ def test_patrol_beside_a_watch_that_stops_it_and_recharges():
     assert not patrol.preempt_requested()
 
 
+# Constructors
+
+
+@pytest.mark.parametrize(
+    "construct",
+    [
+        lambda self: smach.Container.__init__(self, ["done"], ["in"]),
+        lambda self: smach.StateMachine.__init__(self, outcomes=["done"], input_keys=["in"]),
+        lambda self: smach.Sequence.__init__(self, ["done"], "done", ["in"]),
+        lambda self: smach.Concurrence.__init__(self, ["done"], "done", ["in"]),
+        lambda self: smach.Iterator.__init__(self, ["done"], ["in"], [], exhausted_outcome="done"),
+        lambda self: smach.CBState.__init__(self, len, outcomes=["done"], input_keys=["in"]),
+    ],
+    ids=["container", "machine", "sequence", "concurrence", "iterator", "callback"],
+)
+@pytest.mark.parametrize("base", [smach.State, smach.StateMachine])
+def test_constructor_of_another_class_serves_any_state(construct, base):
+    class Wait(base):
+        def __init__(self):
+            construct(self)
+
+        def execute(self, userdata):
+            return "done"
+
+    machine = smach.StateMachine(["done"], input_keys=["in"])
+    with machine:
+        smach.StateMachine.add("WAIT", Wait())
+    machine.userdata["in"] = 1
+    assert machine.execute() == "done"
+    assert machine["WAIT"].get_registered_input_keys() == ("in",)
+
+
+# Concurrence
+
+
+def of_two(outcome_map):
+    ran = []
+    both = smach.Concurrence(["won", "lost"], "lost", outcome_map=outcome_map)
+    with both:
+        for label in ("A", "B"):
+            state = smach.CBState(lambda userdata, label=label: ran.append(label) or "done", outcomes=["done"])
+            smach.Concurrence.add(label, state)
+    return both, ran
+
+
+def test_concurrence_runs_with_a_map_that_names_an_unknown_outcome_of_a_state():
+    both, ran = of_two({"won": {"A": "done", "B": "never"}})
+    with pytest.raises(smach.InvalidTransitionError, match="no outcome 'never'"):
+        both.check_consistency()
+    assert both.execute() == "lost" and sorted(ran) == ["A", "B"]
+
+
+def test_concurrence_with_a_map_that_names_a_missing_state_does_not_begin():
+    both, ran = of_two({"won": {"A": "done", "C": "done"}})
+    assert both.execute() is None and ran == []
+
+
 # Iterator
 
 
@@ -264,6 +321,18 @@ def test_state_of_an_iterator_declares_no_keys():
     built = iterator(smach.CBState(add, outcomes=["succeeded"]), it=range(4), it_label="number")
     built.userdata.total = 0
     assert built.execute() == "succeeded" and built.userdata.total == 6
+
+
+def test_edges_of_an_iterator_are_the_transitions_of_its_state():
+    built = smach.Iterator(["stop", "found", "stop_at_end"], [], [], it=range(3), exhausted_outcome="stop_at_end")
+    assert built.get_internal_edges() == []
+    with built:
+        state = smach.CBState(lambda userdata: "go", outcomes=["go", "stop", "seen"])
+        smach.Iterator.set_contained_state(
+            "EACH", state, loop_outcomes=["go"], final_outcome_map={"seen": "found", "stop_at_end": "found"}
+        )
+    # None: the outcome of the state is that of the iterator. To run out of items is no outcome of the state.
+    assert built.get_internal_edges() == [("go", "EACH", "EACH"), ("stop", "EACH", None), ("seen", "EACH", "found")]
 
 
 @pytest.mark.parametrize(

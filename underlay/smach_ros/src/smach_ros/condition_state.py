@@ -28,7 +28,7 @@ class ConditionState(smach.State):
         timeout: Optional[rospy.Duration] = None,
         max_checks: int = 1,
     ) -> None:
-        super().__init__(outcomes=["true", "false", "preempted"], input_keys=input_keys)
+        smach.State.__init__(self, outcomes=["true", "false", "preempted"], input_keys=input_keys)
         self._cond_cb = cond_cb
         if smach.has_smach_interface(cond_cb):
             self.register_input_keys(cond_cb.get_registered_input_keys())

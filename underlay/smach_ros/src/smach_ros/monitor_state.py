@@ -33,7 +33,9 @@ class MonitorState(smach.State):
         input_keys: Iterable[str] = (),
         output_keys: Iterable[str] = (),
     ) -> None:
-        super().__init__(outcomes=["valid", "invalid", "preempted"], input_keys=input_keys, output_keys=output_keys)
+        smach.State.__init__(
+            self, outcomes=["valid", "invalid", "preempted"], input_keys=input_keys, output_keys=output_keys
+        )
         self._topic = topic
         self._msg_type = msg_type
         self._cond_cb = cond_cb

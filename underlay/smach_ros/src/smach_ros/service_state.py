@@ -62,7 +62,9 @@ class ServiceState(smach.State):
         outcomes: Iterable[str] = (),
         server_wait_timeout: Optional[rospy.Duration] = rospy.Duration(60.0),
     ) -> None:
-        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys)
+        smach.State.__init__(
+            self, outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys
+        )
         self.register_outcomes(outcomes)
         self._request_source = MessageSource(
             "request",

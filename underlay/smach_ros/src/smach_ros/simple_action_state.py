@@ -77,7 +77,9 @@ class SimpleActionState(smach.State):
         preempt_timeout: rospy.Duration = rospy.Duration(60.0),
         server_wait_timeout: rospy.Duration = rospy.Duration(60.0),
     ) -> None:
-        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys)
+        smach.State.__init__(
+            self, outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys
+        )
         self.register_outcomes(outcomes)
         action = action_spec()
         self._goal_source = MessageSource(

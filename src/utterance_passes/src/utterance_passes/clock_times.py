@@ -20,6 +20,7 @@ _O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
 _PAST, _TO = word_class("minutes_after"), word_class("minutes_before")
 _EXACT = word_class("exact_times")
 _HALF, _QUARTER, _MINUTES = word_class("half_hours"), word_class("quarter_hours"), word_class("minute_words")
+_OH = word_class("zeros_before_minutes")
 _NOON, _MIDNIGHT = word_class("names_of_noon"), word_class("names_of_midnight")
 _TODAY, _TOMORROW, _TONIGHT = (
     word_class("names_of_today"),
@@ -43,11 +44,14 @@ class ClockTime:
         length: number of words
         when: None if the person must say more
         question: what the person must say; empty if nothing
+        is_certain: whether the words are written or marked as a time of the clock ("20:15", "8 pm", "six thirty"); the
+            number in "at five" may be anything
     """
 
     length: int
     when: Optional[TimeExpression] = None
     question: str = ""
+    is_certain: bool = False
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,7 @@ class _Clock:
     day: Optional[int] = None
     weekdays: Tuple[int, ...] = ()
     is_repeated: bool = False
+    is_certain: bool = False
 
 
 _Part = Optional[Tuple[_Clock, int]]
@@ -109,7 +114,7 @@ def _resolved(clock: _Clock, words: str, length: int) -> ClockTime:
         if clock.hour not in _OF_THE_DAY:
             said = " or at ".join(f"{hour}:{clock.minute:02d}" for hour in hours)
             question = f'At {said}? Say "in the morning", "in the afternoon" or "in the evening" with it.'
-            return ClockTime(length, question=question)
+            return ClockTime(length, question=question, is_certain=clock.is_certain)
         hours = hours[:1]
     week = f"XXXX-WXX-{''.join(str(day + 1) for day in clock.weekdays)}" if clock.weekdays else ""
     value = "/".join(f"{week}T{hour:02d}:{clock.minute:02d}" for hour in hours)
@@ -119,7 +124,7 @@ def _resolved(clock: _Clock, words: str, length: int) -> ClockTime:
         when = replace(when, kind="set", relation="every", period_s=period_s)
     elif clock.day is not None:
         when = replace(when, offset_s=clock.day * _DAY_S or _TODAY_S)
-    return ClockTime(length, when)
+    return ClockTime(length, when, is_certain=clock.is_certain)
 
 
 def _hours(clock: _Clock) -> Tuple[int, ...]:
@@ -149,18 +154,16 @@ def _hour(forms: Sequence[str], clock: _Clock) -> _Part:
         return None
     read, length = found
     end = start + length
-    # A number alone may be anything: "the office seventeen", "ten to fifteen".
-    is_marked = start == 1 or bool({":", "h"} & set(rest[0]) and rest[0][0].isdigit())
-    is_marked = is_marked or any(word in _HALF | _QUARTER | _MINUTES for word in rest[:length])
+    # A number alone may be anything: "the office seventeen", "ten to fifteen", "every day seven".
+    is_certain = bool({":", "h"} & set(rest[0]) and rest[0][0].isdigit())
+    is_certain = is_certain or any(word in _HALF | _QUARTER | _MINUTES for word in rest[:length])
     if forms[end : end + 1] and forms[end] in _O_CLOCK:
-        is_marked, end = True, end + 1
+        is_certain, end = True, end + 1
     half = _meridiem(forms[end:])
     if half:
-        is_marked, end, read = True, end + 1, replace(read, half=half)
-    if read.half and not is_marked:
-        is_marked = True
-    # "Every day seven": a number alone is no time.
-    return (read, end) if is_marked else None
+        is_certain, end, read = True, end + 1, replace(read, half=half)
+    is_certain = is_certain or bool(read.half) or (start == 1 and length > 1)
+    return (replace(read, is_certain=is_certain), end) if is_certain or start == 1 else None
 
 
 def _meridiem(forms: Sequence[str]) -> str:
@@ -195,7 +198,7 @@ def _relative(forms: Sequence[str], clock: _Clock) -> _Part:
 
 
 def _spoken(forms: Sequence[str], clock: _Clock) -> _Part:
-    """Read "eight", "8", "8:30", "8pm", "eight thirty", "20:00"."""
+    """Read "eight", "8", "8:30", "8pm", "eight thirty", "eight forty-five", "20:00"."""
     written = _WRITTEN.fullmatch(forms[0])
     if written:
         hour, minute = int(written.group(1)), int(written.group(2) or 0)
@@ -204,16 +207,32 @@ def _spoken(forms: Sequence[str], clock: _Clock) -> _Part:
             return None
         is_exact = not half and (hour > 12 or hour == 0 or forms[0].startswith("0"))
         has_minute = written.group(2) is not None
-        if has_minute or half or is_exact:
+        if has_minute or half:
             return replace(clock, hour=hour % 24, minute=minute, is_exact=is_exact, half=half or clock.half), 1
     hour_said = _number(forms[0], 24)
     if hour_said is None:
         return None
-    minute_said = _number(forms[1], 59) if len(forms) > 1 else None
-    is_exact = hour_said > 12 or hour_said == 0
-    if minute_said is not None and minute_said >= 10 and forms[1] != _AT:
-        return replace(clock, hour=hour_said % 24, minute=minute_said, is_exact=is_exact), 2
+    is_exact = hour_said > 12 or hour_said == 0 or forms[0].startswith("0")
+    minute, length = _minutes_said(forms[1:])
+    if length:
+        return replace(clock, hour=hour_said % 24, minute=minute, is_exact=is_exact), 1 + length
     return replace(clock, hour=hour_said % 24, is_exact=is_exact), 1
+
+
+def _minutes_said(forms: Sequence[str]) -> Tuple[int, int]:
+    """Return the minutes behind an hour, and the number of their words: "thirty", "forty five", "forty-five", "oh
+    five"; no words if none follow."""
+    if forms[:1] and forms[0] in _OH:
+        after = _number(forms[1], 9) if len(forms) > 1 else None
+        return (after, 2) if after else (0, 0)
+    for length in (3, 2, 1):
+        said = forms[:length]
+        is_joined = length < 3 or (len(said) > 1 and said[1] == "-")
+        words = [form for form in said if form != "-"]
+        minute = _number(" ".join(words), 59) if is_joined and len(said) == length and _AT not in words else None
+        if minute is not None and minute >= 10:
+            return minute, length
+    return 0, 0
 
 
 def _number(word: str, most: int) -> Optional[int]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from semantic_framer.clock_times import clock_time_at
+from utterance_passes.clock_times import clock_time_at
 
 DAY_S = 86_400.0
 TODAY, TOMORROW = {"offset_s": 1.0}, {"offset_s": DAY_S}
@@ -25,6 +25,13 @@ DAILY, WEEKLY = {"period_s": DAY_S}, {"period_s": 7 * DAY_S}
         ("at 12 am", "T00:00", {}),
         ("at 12 pm", "T12:00", {}),
         ("at 20:00", "T20:00", {}),
+        ("at 18 30", "T18:30", {}),
+        ("at 08 15", "T08:15", {}),
+        ("at seven forty - five", "T07:45/T19:45", {}),
+        ("at seven forty five", "T07:45/T19:45", {}),
+        ("at twenty forty five", "T20:45", {}),
+        ("at six oh five", "T06:05/T18:05", {}),
+        ("at 9am", "T09:00", {}),
         ("at 08:15", "T08:15", {}),
         ("at 8:15", "T08:15/T20:15", {}),
         ("at fifteen", "T15:00", {}),

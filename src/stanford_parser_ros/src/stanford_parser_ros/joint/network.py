@@ -1,0 +1,208 @@
+"""The network in ONNX Runtime, and what its scores say: tags, the best tree, and what else each word may hang on."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Dict, List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+
+from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.joint.model_folder import read_joint_folder
+from stanford_parser_ros.joint.pieces import Pieces, PieceVocabulary
+from stanford_parser_ros.joint.windows import Window, windows
+from stanford_parser_ros.lean.spanning_tree import heads_of_best_tree
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float32]
+
+#: Pieces that the encoder has places for, without those of start and end.
+MOST_PIECES = 254
+#: Pieces that are read of one word: of a longer one, a part of an address, its beginning says enough.
+LONGEST_WORD = 16
+#: What is less likely is no alternative.
+LEAST_PROBABILITY = 0.02
+MOST_ALTERNATIVES = 5
+#: To a governor that no window holds together with the word.
+UNKNOWN_RELATION = "obl"
+_NEVER = -1e4
+
+
+class Alternative(NamedTuple):
+    """A governor of a word.
+
+    Attributes:
+        head: its position, from 1; 0 is the root
+        relation: the likeliest to it
+        probability: that the word hangs there, by this relation
+    """
+
+    head: int
+    relation: str
+    probability: float
+
+
+class Analysis(NamedTuple):
+    """What the network says of the words of a sentence.
+
+    Attributes:
+        upos, xpos, feats: tags of each word; "_" is none
+        heads: governor of each word, from 1; 0 for the root
+        relations: to the governor
+        alternatives: governors of each word with their probability: the chosen one, then others, likeliest first
+    """
+
+    upos: Tuple[str, ...]
+    xpos: Tuple[str, ...]
+    feats: Tuple[str, ...]
+    heads: Tuple[int, ...]
+    relations: Tuple[str, ...]
+    alternatives: Tuple[Tuple[Alternative, ...], ...]
+
+
+class JointNetwork:
+    """The network; one thread uses it at a time."""
+
+    def __init__(self, folder: Path, *, threads: int = 1) -> None:
+        """
+        Args:
+            folder: of the joint model
+            threads: of ONNX Runtime
+        Raises:
+            ModelError: a file is missing or another than was packed, or ONNX Runtime is not installed
+        """
+        files = read_joint_folder(folder)
+        try:
+            import onnxruntime
+        except ImportError as error:
+            raise ModelError(
+                f"ONNX Runtime is not installed ({error}): run 'make setup' in RoboFrameNet's clone, or set "
+                "~runtime to stanza"
+            ) from error
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = threads
+        options.inter_op_num_threads = 1
+        # An arena would keep the memory of the longest text.
+        options.enable_cpu_mem_arena = False
+        options.log_severity_level = 3
+        try:
+            self._session = onnxruntime.InferenceSession(
+                str(files.network), options, providers=["CPUExecutionProvider"]
+            )
+        except Exception as error:  # boundary: ONNX Runtime raises many kinds of errors for a file that it cannot read
+            raise ModelError(f"ONNX Runtime cannot load {folder}: {type(error).__name__}: {error}") from error
+        self._labels = files.labels
+        self._root = files.labels["deprel"].index("root")
+        self._unknown = np.zeros(len(files.labels["deprel"]), np.float32)
+        self._unknown[files.labels["deprel"].index(UNKNOWN_RELATION)] = 100.0
+        self._vocabulary = PieceVocabulary(files.pieces)
+
+    def analyse(self, forms: Sequence[str]) -> Analysis:
+        """Analyse the words of one sentence, however long it is.
+
+        Raises:
+            ValueError: there are no words
+        """
+        if not forms:
+            raise ValueError("a sentence without words")
+        sizes = [min(LONGEST_WORD, len(self._vocabulary.of_word(form))) for form in forms]
+        parts = windows(sizes, MOST_PIECES)
+        scores = [self._scores(forms[part.start : part.end]) for part in parts]
+        return self._analysis(len(forms), parts, scores)
+
+    def _scores(self, forms: Sequence[str]) -> Dict[str, "Floats"]:
+        pieces = self._vocabulary.of_sentence(forms, LONGEST_WORD)
+        outputs = self._session.run(
+            None,
+            {
+                "numbers": np.asarray(pieces.numbers, np.int64),
+                "shapes": np.asarray(pieces.shapes, np.int64),
+                "pool": pool(pieces),
+            },
+        )
+        return dict(zip(("upos", "xpos", "feats", "arcs", "relations"), outputs))
+
+    def _analysis(self, count: int, parts: List[Window], scores: List[Dict[str, "Floats"]]) -> Analysis:
+        square = np.full((count + 1, count + 1), _NEVER)
+        places: List[Tuple[int, int]] = []
+        tags: Dict[str, List[str]] = {"upos": [], "xpos": [], "feats": []}
+        for number, (part, said) in enumerate(zip(parts, scores)):
+            rows = slice(part.first - part.start, part.last - part.start)
+            arcs = said["arcs"][rows].astype(np.float64)
+            own = np.arange(rows.start, rows.stop)
+            arcs[own - rows.start, own + 1] = -np.inf  # no word governs itself
+            arcs -= arcs.max(axis=1, keepdims=True)
+            arcs -= np.log(np.exp(arcs).sum(axis=1, keepdims=True))
+            square[part.first + 1 : part.last + 1, 0] = arcs[:, 0]
+            square[part.first + 1 : part.last + 1, part.start + 1 : part.end + 1] = arcs[:, 1:]
+            places += [(number, row) for row in range(rows.start, rows.stop)]
+            for kind, found in tags.items():
+                found += [self._labels[kind][n] for n in said[kind][rows].argmax(axis=1)]
+        np.fill_diagonal(square, -np.inf)
+        heads = heads_of_best_tree(square)[1:]
+        alternatives = self._governors(heads, square[1:], parts, places, scores)
+        relations = tuple(
+            next(one.relation for one in governors if one.head == head) for head, governors in zip(heads, alternatives)
+        )
+        return Analysis(
+            tuple(tags["upos"]),
+            tuple(tags["xpos"]),
+            tuple(tags["feats"]),
+            tuple(heads),
+            relations,
+            tuple(alternatives),
+        )
+
+    def _governors(
+        self,
+        heads: Sequence[int],
+        logs: "NDArray[np.float64]",
+        parts: Sequence[Window],
+        places: Sequence[Tuple[int, int]],
+        scores: Sequence[Dict[str, "Floats"]],
+    ) -> List[Tuple[Alternative, ...]]:
+        """Return the governors of each word: the chosen one, then the others that are likely, the likeliest first.
+
+        Args:
+            heads: the chosen one of each word
+            logs: row i, column j: the logarithm of the probability that word j governs word i + 1
+            parts: the windows
+            places: number of the window in which each word is read, and its row there
+            scores: of each window
+        """
+        likely = logs >= np.log(LEAST_PROBABILITY)
+        likely[np.arange(len(heads)), heads] = True
+        words, governors = (found.tolist() for found in np.nonzero(likely))
+        # A governor that is in no window with the word is there because a tree needs some; its relation is not known.
+        rows = []
+        for word, head in zip(words, governors):
+            number, row = places[word]
+            column = head - parts[number].start
+            known = scores[number]["relations"]
+            # That of the root is not read.
+            rows.append(known[row, column] if 0 < column < known.shape[1] else self._unknown)
+        labels = np.array(rows, np.float64)
+        labels[:, self._root] = -np.inf
+        best = labels.argmax(axis=1)
+        shares = np.exp(labels - labels[np.arange(len(best)), best][:, None]).sum(axis=1)
+        is_root = np.array(governors) == 0
+        best[is_root], shares[is_root] = self._root, 1.0
+        chances = np.exp(logs[words, governors]) / shares
+        found: List[List[Alternative]] = [[] for _ in heads]
+        for word, head, label, chance in zip(words, governors, best.tolist(), chances.tolist()):
+            if chance >= LEAST_PROBABILITY or head == heads[word]:
+                found[word].append(Alternative(head, self._labels["deprel"][label], chance))
+        return [
+            tuple(sorted(each, key=lambda one: (one.head != head, -one.probability))[:MOST_ALTERNATIVES])
+            for head, each in zip(heads, found)
+        ]
+
+
+def pool(pieces: Pieces) -> "Floats":
+    """Return the share of each piece in the root, which is the start, and in each word: the mean of its pieces."""
+    shares = np.zeros((len(pieces.first) + 1, len(pieces.numbers)), np.float32)
+    shares[0, 0] = 1.0
+    ends = [*pieces.first[1:], len(pieces.numbers) - 1]
+    for row, (start, end) in enumerate(zip(pieces.first, ends), 1):
+        shares[row, start:end] = 1.0 / (end - start)
+    return shares

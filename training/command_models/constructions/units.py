@@ -1,0 +1,87 @@
+"""The verbs of a robot and their relations, read from lexical units: YAML files as RoboFrameNet has them."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Iterator, List, Tuple
+
+from command_models.errors import TrainingError
+
+PARTICLES = frozenset("up down on off out over".split())
+ADVERBS = frozenset("back away around round along forward backward backwards".split())
+
+
+@dataclass(frozen=True)
+class Slot:
+    """What a verb takes besides its object.
+
+    Attributes:
+        role: name of the frame element
+        relations: Stanford relations, with their prepositions (``prep_next_to``)
+    """
+
+    role: str
+    relations: Tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A verb with what it takes.
+
+    Attributes:
+        verb: base form
+        particle: "up" of "pick up", "back" of "bring back"; or empty
+        objects: roles of its object; empty if it has none
+        slots: what else it takes
+    """
+
+    verb: str
+    particle: str
+    objects: Tuple[str, ...]
+    slots: Tuple[Slot, ...]
+
+
+def read_units(folder: Path) -> List[Unit]:
+    """Return the verbs of all ``lexical_units/*.yaml`` below a folder.
+
+    Idioms of more than a verb and a particle are left out: their words are no construction.
+
+    Raises:
+        TrainingError: there are none
+    """
+    import yaml
+
+    found: List[Unit] = []
+    for path in sorted(folder.glob("**/lexical_units/*.yaml")):
+        content = yaml.safe_load(path.read_text(encoding="utf-8")) or []
+        for entry in content if isinstance(content, list) else content.get("lexical_units", [content]):
+            found += _units(entry)
+    if not found:
+        raise TrainingError(f"{folder}: no lexical_units/*.yaml with verbs below; expected the domains of a robot")
+    return list(dict.fromkeys(found))
+
+
+def _listed(value: Any) -> List[str]:
+    return [value] if isinstance(value, str) else list(value or ())
+
+
+def _units(entry: Any) -> Iterator[Unit]:
+    objects: List[str] = []
+    slots: List[Slot] = []
+    for element in entry.get("frame_element_grammatical_relations") or ():
+        relations = [relation for relation in _listed(element.get("relation")) if "/" not in relation]
+        if "dobj" in relations:
+            objects.append(element["name"])
+        kept = tuple(
+            relation
+            for relation in relations
+            if relation.startswith("prep_") or relation in ("iobj", "advmod", "measure", "tmod")
+        )
+        if kept:
+            slots.append(Slot(element["name"], kept))
+    for verb in _listed(entry.get("verb")):
+        first, *others = verb.split()
+        if not first.isalpha() or first in ("be", "need", "want") or len(others) > 1:
+            continue
+        if others and others[0] not in PARTICLES | ADVERBS:
+            continue
+        yield Unit(first, others[0] if others else "", tuple(objects), tuple(slots))

@@ -1,0 +1,1 @@
+"""Trains one network on a pretrained encoder that tags words and finds their heads."""
