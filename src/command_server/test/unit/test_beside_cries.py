@@ -11,7 +11,6 @@ from command_server.beside_cries import words_not_done
         ("stop the dishwasher", ("the dishwasher",)),
         ("Stop the cart behind the blue line.", ("the cart behind the blue line",)),
         ("walk into the hall . go past the sofa . n stop .", ("walk into the hall", "go past the sofa")),
-        ("Move forward one meter, no wait, two meters.", ("Move forward one meter", "two meters")),
         ("Turn left. No, stop!", ("Turn left",)),
         ("stop, dance", ("dance",)),
         ("Stop the music and come back", ("the music",)),
