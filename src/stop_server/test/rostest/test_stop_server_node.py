@@ -147,10 +147,10 @@ class StopServerNodeTest(unittest.TestCase):
         self.assertEqual([1, 1, 1], [texts.count(text) for text in ("stop it", "stop that", "halt now")], texts)
 
     def test_what_was_said_beside_a_stop_is_named(self):
-        self.text.publish("Move forward one meter, no wait, two meters.")
-        reply, _ = self.answer_to("Move forward one meter, no wait, two meters.")
+        self.text.publish("Walk into the hall. Go past the sofa. Stop.")
+        reply, _ = self.answer_to("Walk into the hall. Go past the sofa. Stop.")
         self.assertEqual((Reply.FAILED, "REST_NOT_DONE"), (reply.outcome, reply.code))
-        self.assertIn('I did not do the rest: "Move forward one meter" and "two meters".', reply.sentence)
+        self.assertIn('I did not do the rest: "Walk into the hall" and "Go past the sofa".', reply.sentence)
 
     def test_each_stop_of_a_flood_gets_its_reply_and_nothing_else_does(self):
         for _ in range(25):
