@@ -63,7 +63,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="2012: single words, every other word ignored; the table always shows its figures",
     )
     parser.add_argument(
-        "--without", action="append", default=[], metavar="RULE", help="switch a rule off ('rfn passes' lists them)"
+        "--without",
+        action="append",
+        default=[],
+        metavar="RULE",
+        help="switch a rule off ('rfn passes --all' lists them)",
     )
     parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
     parser.add_argument(

@@ -6,6 +6,10 @@ from semantic_framer.rules import RULES
 from utterance_passes.table import PASSES
 
 
+#: The stage of the rules that are no passes.
+FRAMER = "framer"
+
+
 class NamedRule(NamedTuple):
     """Where a rule runs, and what it does."""
 
@@ -16,7 +20,7 @@ class NamedRule(NamedTuple):
 #: The passes in their order, then the rules of the framer, by their names in the trace.
 NAMED_RULES: Mapping[str, NamedRule] = {
     **{one.name: NamedRule(one.stage.value, one.what) for one in PASSES},
-    **{name: NamedRule("framer", what) for name, what in RULES.items()},
+    **{name: NamedRule(FRAMER, what) for name, what in RULES.items()},
 }
 
 

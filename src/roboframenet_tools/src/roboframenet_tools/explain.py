@@ -88,7 +88,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a sentence that was said before; a fragment such as 'again' changes or repeats its command",
     )
     parser.add_argument(
-        "--without", action="append", default=[], metavar="RULE", help="switch a rule off ('rfn passes' lists them)"
+        "--without",
+        action="append",
+        default=[],
+        metavar="RULE",
+        help="switch a rule off ('rfn passes --all' lists them)",
     )
     parser.add_argument(
         "--behaviour",

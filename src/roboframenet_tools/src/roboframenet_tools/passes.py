@@ -8,13 +8,14 @@ from typing import Dict, Iterable, List, Sequence, Tuple
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.sentence_lists import SOURCES, sentences_of
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.named_rules import NAMED_RULES
+from offline_pipeline.named_rules import FRAMER, NAMED_RULES
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_frames import FileRefused
 from stanford_parser_ros.inference import ModelError
 
 EXAMPLES = """examples:
   rfn passes
+  rfn passes --all
   rfn passes --corpus huric huric-2.1/english
   rfn passes --corpus huric huric-2.1/english --show quotations
   rfn passes --corpus gpsr grammars
@@ -51,6 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("NAME", "PATH"),
         help="; ".join(f"{name}: {what}" for name, what in SOURCES.items()),
     )
+    parser.add_argument("--all", action="store_true", help="list the rules of the framer, too")
     parser.add_argument(
         "--show", metavar="RULE", help="print each sentence that is understood differently without this rule"
     )
@@ -64,7 +66,8 @@ def run(arguments: argparse.Namespace) -> int:
         return 2
     if not arguments.corpus:
         for name, (stage, what) in NAMED_RULES.items():
-            print(f"{name:<24} {stage:<20} {what}")
+            if arguments.all or stage != FRAMER:
+                print(f"{name:<24} {stage:<20} {what}")
         return 0
     corpus, path = arguments.corpus
     if corpus not in SOURCES:

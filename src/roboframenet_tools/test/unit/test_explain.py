@@ -127,8 +127,9 @@ def test_without_a_pass(capsys):
 def test_passes_are_listed_in_their_order(capsys):
     assert main(["passes"]) == 0
     names = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
-    assert names[: len(PASSES)] == [one.name for one in PASSES]
-    assert names[len(PASSES) :] == list(RULES)
+    assert names == [one.name for one in PASSES]
+    assert main(["passes", "--all"]) == 0
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [*names, *RULES]
 
 
 @pytest.mark.parametrize(
