@@ -5,7 +5,6 @@ from typing import Iterable, Mapping, NamedTuple, Tuple
 from semantic_framer.rules import RULES
 from utterance_passes.table import PASSES
 
-
 #: The stage of the rules that are no passes.
 FRAMER = "framer"
 
