@@ -277,7 +277,7 @@ class _Addressing:
             if is_cry and not found.is_any:
                 crying += found.robots
             if found.robots and not (is_cry and found.is_any):
-                orders.append(found)
+                orders.append(self._without_stopped(found) if is_cry else found)
         others = tuple(name for name in stopped if name not in crying)
         kinds = {cry.kind for cry in map(find_cry, [part.text for part in parts]) if cry is not None}
         # What one robot is to forget, another one is not told.
@@ -288,6 +288,12 @@ class _Addressing:
         dialogue = self._after(orders, spoken_to, is_cry=is_unaddressed or bool(others))
         remark = " ".join(dict.fromkeys(filter(None, remarks)))
         return Addressed(tuple(orders), dialogue, remark)
+
+    def _without_stopped(self, order: Order) -> Order:
+        """Return a cry without the names of the robots that it stops, too: each of them is told, and none is left."""
+        parts = split_by_address(order.text, self._company.names, self._company.verbs)
+        is_told = len(parts) == 1 and parts[0].group is not None and find_cry(parts[0].text) is not None
+        return replace(order, text=parts[0].text) if is_told else order
 
     def _after(self, orders: Sequence[Order], spoken_to: Tuple[str, ...], *, is_cry: bool = False) -> Dialogue:
         last = orders[-1].robots if len(orders) > 1 and not orders[-1].is_any else spoken_to
