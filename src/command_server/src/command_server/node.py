@@ -239,7 +239,7 @@ class CommandServerNode:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             sentence = "Too many commands are waiting already."
-            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR", sentence=sentence)
+            self._answer_at_once(command, Outcome.FAILED, code="BUSY", sentence=sentence)
         elif not (self._stopped_plans.takes(command) or self._language.declines(command, self._answer_at_once)):
             self._commands.open(command)
             self._texts.add(command)

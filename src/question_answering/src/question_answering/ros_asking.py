@@ -54,7 +54,7 @@ class Asking:
         try:
             self._waiting.put_nowait(message)
         except queue.Full:
-            self._end(message.command, Reply.FAILED, "STAGE_ERROR", "Too many questions wait for an answer.")
+            self._end(message.command, Reply.FAILED, "BUSY", "Too many questions wait for an answer.")
 
     def _work(self) -> None:
         while not rospy.is_shutdown():

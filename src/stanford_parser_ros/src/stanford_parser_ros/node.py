@@ -169,7 +169,7 @@ class ParserNode:
             self._stage.ends(
                 command,
                 outcome=Reply.FAILED,
-                code="STAGE_ERROR",
+                code="BUSY",
                 sentence="Too many commands are waiting to be parsed.",
             )
 

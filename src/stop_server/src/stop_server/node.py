@@ -142,7 +142,7 @@ class StopServerNode:
                 self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
-                self._unheard.hear(text)
+                self._unheard.hear(text, stamp_ns=rospy.Time.now().to_nsec())
 
     def _hear_of_cry(self, command: Command) -> None:
         """The command server has heard a cry: so has this node, or the client was not connected to it yet."""
@@ -200,7 +200,9 @@ class StopServerNode:
     def _hear_reply(self, reply: Reply) -> None:
         if reply._connection_header["callerid"] == rospy.get_name():
             return
-        self._hear_taken(reply.command.text)
+        if not came_by_action(reply.command.id):
+            with self._lock:
+                self._unheard.hear_reply(reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
         self._orders_back.hear_reply(reply)
         if reply.stage == STAGE or may_be_order_taken_back(reply.command):
             with self._lock:
