@@ -16,6 +16,7 @@ from roboframenet_msgs.msg import (
 )
 
 from rfnserver import RFNServer
+from rfnserver.results import BY_STATUS
 from rfnserver.ros_frame_adapter import conclude
 from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from roboframenet_ros.parameters import Parameters, parameter
@@ -202,7 +203,9 @@ class OnDemand:
         server = self._server_of(manifest)
         if manifest.server not in self._forwarders:
             deadlines = ForwardingDeadlines(server_s=manifest.start_timeout_s)
-            self._forwarders[manifest.server] = GoalForwarder(manifest.server, FilledSemanticFrameAction, deadlines)
+            self._forwarders[manifest.server] = GoalForwarder(
+                manifest.server, FilledSemanticFrameAction, deadlines, result_names=BY_STATUS
+            )
         end = self._forwarders[manifest.server].carry_out(
             FilledSemanticFrameGoal(frame=frame),
             is_to_end=lambda: self._server.is_preempt_requested() or not server.is_up.is_set(),
