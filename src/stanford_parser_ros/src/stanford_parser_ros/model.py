@@ -5,22 +5,21 @@ from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Tuple
 
-from stanford_parser_ros.inference import Inference, StanzaInference, shipped_model_dir
+from stanford_parser_ros.inference import Inference, shipped_model_dir
+from stanford_parser_ros.joint.inference import JointInference
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
-    run_tag_passes,
     run_text_passes,
     run_tree_passes,
     run_word_passes,
 )
 from utterance_passes.spelling import Spelling, stripped
 from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES
-from utterance_passes.tag_table import TAG_PASSES
 from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around
+from utterance_passes.tree_edits import at_origins, joined, with_words_around
 from utterance_passes.vocabulary import Verbs
 from word_classes import in_words
 
@@ -169,16 +168,6 @@ class Parser:
             for tree, each in zip(trees, runs):
                 run.trace.extend(moved(each.trace.lines, tree, whole))
             return whole
-        retags = run_tag_passes(
-            forms, tags, run.vocabulary, TAG_PASSES if is_known else (), without=run.without, trace=run.trace
-        )
-        if retags:
-            edit = TreeEdit(tree)
-            for retag in retags:
-                edit.tag(retag.position, retag.upos, retag.xpos, retag.feats)
-                if retag.lemma:
-                    edit.respell(retag.position, tree.word(retag.position).form, retag.lemma)
-            tree = self._inference.reparse(edit.tree())
         tree = at_origins(tree, text, spelling.origins)
         return run_tree_passes(tree, run.vocabulary, PARSER_TREE_PASSES, without=run.without, trace=run.trace)
 
@@ -198,6 +187,6 @@ def shipped_parser(*, cache_size: int = 256) -> Parser:
     Args:
         cache_size: number of parses that are kept
     Raises:
-        ModelError: the models are missing, or Stanza is not installed
+        ModelError: the models are missing, or ONNX Runtime is not installed
     """
-    return Parser(StanzaInference(model_dir=shipped_model_dir()), cache_size=cache_size)
+    return Parser(JointInference(model_dir=shipped_model_dir()), cache_size=cache_size)

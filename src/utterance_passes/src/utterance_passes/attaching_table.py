@@ -3,18 +3,13 @@
 from typing import Tuple
 
 from utterance_passes import (
-    additions,
     attached_phrases,
     avoided_places,
     awaited_deeds,
-    compass,
     contrasts,
     correct_parse,
     hearers,
     items_in_order,
-    names,
-    objects_behind,
-    participles,
     places_ahead,
     places_told,
 )
@@ -23,77 +18,6 @@ from utterance_passes.vocabulary import Speech, Verbs
 
 #: Attach words where they can belong in a command; the words stay the same.
 ATTACHING_PASSES: Tuple[TreePass, ...] = (
-    TreeRepair(
-        "hands_at_verbs",
-        "Attach the robot's own hand to the verb, not to the object.",
-        Example(
-            "take|VERB|0|root cups|NOUN|1|obj with|ADP|5|case your|PRON|5|nmod:poss hand|NOUN|2|nmod",
-            ("hand: nmod(cups) -> obl(take)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_hands_at_verbs,
-    ),
-    TreeRepair(
-        "there_at_things",
-        'Attach "there" to the thing that somebody gets: "bring me that over there".',
-        Example(
-            "bring|VERB|0|root me|PRON|1|iobj that|DET|4|det cup|NOUN|1|obj there|ADV|1|advmod",
-            ("there: advmod(bring) -> advmod(cup)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_there_at_things,
-    ),
-    TreeRepair(
-        "phrases_of_what_is_asked",
-        'Attach a phrase to the noun that it follows, not to "what".',
-        Example(
-            "what|PRON|0|root is|AUX|1|cop size|NOUN|1|nsubj of|ADP|5|case cups|NOUN|3|nmod "
-            "on|ADP|7|case shelf|NOUN|1|obl",
-            ("shelf: obl(what) -> nmod(cups)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_phrases_of_what_is_asked,
-    ),
-    TreeRepair(
-        "upside_down",
-        'Make an adverb of "upside down".',
-        Example(
-            "turn|VERB|0|root boxes|NOUN|3|compound upside|NOUN|1|obj down|ADV|1|advmod",
-            ("boxes: compound(upside) -> obj(turn)", "upside: obj(turn) NOUN/upside -> advmod(down) ADV/upside"),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_upside_down,
-    ),
-    TreeRepair(
-        "places_in_a_row",
-        "Attach the side from which things are counted to the thing.",
-        Example(
-            "take|VERB|0|root second|ADJ|3|amod bottle|NOUN|1|obj from|ADP|5|case left|NOUN|1|obl",
-            ("left: obl(take) -> nmod(bottle)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_places_in_a_row,
-    ),
-    TreeRepair(
-        "ways_at_verbs",
-        'Attach a source and the goal behind it to the verb: "from the table to the hall".',
-        Example(
-            "go|VERB|0|root from|ADP|3|case table|NOUN|1|obl to|ADP|5|case hall|NOUN|3|nmod",
-            ("hall: nmod(table) -> obl(go)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_ways_at_verbs,
-    ),
-    TreeRepair(
-        "wholes_at_pronouns",
-        'Attach "all" or "both" to the pronoun before it.',
-        Example(
-            "bring|VERB|0|root them|PRON|1|iobj all|DET|1|obj",
-            ("them: iobj(bring) -> obj(bring)", "all: obj(bring) -> det(them)"),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_wholes_at_pronouns,
-    ),
     TreeMeaning(
         "exceptions",
         'Take out of things what is not meant: "anything but beer", "a beer, not a warm one".',
@@ -118,16 +42,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         contrasts.with_what_is_meant,
-    ),
-    TreeRepair(
-        "things_named_again",
-        'Make one thing of a thing and the words that describe it: "that mug, the small one".',
-        Example(
-            "take|VERB|0|root mugs|NOUN|1|obj ,|PUNCT|6|punct the|DET|6|det small|ADJ|6|amod one|NOUN|2|conj",
-            ("one: conj(mugs) -> appos(mugs)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_things_named_again,
     ),
     TreeRepair(
         "ways_behind_particles",
@@ -162,17 +76,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         awaited_deeds.with_awaited_deeds,
-    ),
-    TreeRepair(
-        "sides_in_order",
-        'Attach "then" to the side right behind it, and each side to the verb.',
-        Example(
-            "turn|VERB|0|root left|ADV|1|advmod then|ADV|6|advmod right|ADV|6|advmod then|ADV|6|advmod "
-            "left|ADV|1|advmod",
-            ("then: advmod(left-6) -> advmod(right)", "right: advmod(left-6) -> advmod(turn)"),
-        ),
-        Stage.FRAMER,
-        items_in_order.with_sides_in_order,
     ),
     TreeMeaning(
         "items_in_order",
@@ -222,26 +125,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         places_ahead.with_ahead_as_preposition,
     ),
-    TreeRepair(
-        "speeds_together",
-        "Attach the time of a speed to its length.",
-        Example(
-            "go|VERB|0|root two|NUM|3|nummod metres|NOUN|1|obl per|ADP|5|case second|NOUN|1|obl",
-            ("second: obl(go) -> nmod(metres)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_speeds_together,
-    ),
-    TreeRepair(
-        "superlatives_at_nouns",
-        "Attach a superlative of place and the phrase behind it to the noun before it.",
-        Example(
-            "take|VERB|0|root chairs|NOUN|1|obj closest|ADV|1|advmod to|ADP|5|case doors|NOUN|1|obl",
-            ("closest: advmod(take) ADV/closest -> amod(chairs) ADJ/closest", "doors: obl(take) -> obl(closest)"),
-        ),
-        Stage.FRAMER,
-        places_ahead.with_superlatives_at_nouns,
-    ),
     TreeMeaning(
         "places_of_devices",
         'Attach a place after "on" or "off" to the object before it.',
@@ -251,100 +134,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_places_of_devices,
-    ),
-    TreeRepair(
-        "places_of_all",
-        'Attach a place to "everything" or a similar word before it.',
-        Example(
-            "take|VERB|0|root all|PRON|1|obj in|ADP|4|case boxes|NOUN|1|obl",
-            ("boxes: obl(take) -> nmod(all)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_places_of_all,
-    ),
-    TreeRepair(
-        "measured_turns",
-        'Turn the verb "turn" after a number or a fraction into a noun.',
-        Example(
-            "turn|VERB|0|root quarter|NOUN|1|obj turn|VERB|1|xcomp left|ADV|3|advmod",
-            (
-                "quarter: obj(turn-1) -> compound(turn-3)",
-                "turn: xcomp(turn-1) VERB/turn -> obl:unmarked(turn-1) NOUN/turn",
-                "left: advmod(turn-3) -> advmod(turn-1)",
-            ),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_measured_turns,
-    ),
-    TreeRepair(
-        "sides_apart",
-        "Attach a side and the measure after it separately to the verb.",
-        Example(
-            "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
-            ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_sides_apart,
-    ),
-    TreeRepair(
-        "compass_apart",
-        "Attach a direction of the compass to the verb.",
-        Example(
-            "move|VERB|0|root north|ADJ|4|amod two|NUM|4|nummod metres|NOUN|1|obl:unmarked",
-            ("north: amod(metres) ADJ/north -> advmod(move) ADV/north",),
-        ),
-        Stage.FRAMER,
-        compass.with_compass_directions_apart,
-    ),
-    TreeRepair(
-        "around_apart",
-        'Turn "around" between a verb of turning and a measure into an adverb.',
-        Example(
-            "turn|VERB|0|root around|ADP|4|case two|NUM|4|nummod degrees|NOUN|1|obl",
-            ("around: case(degrees) ADP/around -> advmod(turn) ADV/around",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_around_apart,
-    ),
-    TreeRepair(
-        "degrees",
-        'Attach "a bit" and "a little" to the verb, not to the noun before them.',
-        Example(
-            "open|VERB|0|root windows|NOUN|1|obj a|DET|4|det bit|NOUN|2|nmod:unmarked",
-            ("bit: nmod:unmarked(windows) -> obl:unmarked(open)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_degrees,
-    ),
-    TreeRepair(
-        "objects_of_vocatives",
-        "Turn a false vocative back into the end of the object.",
-        Example(
-            "push|VERB|0|root the|DET|3|det blue|ADJ|1|obj robot|NOUN|1|vocative",
-            ("the: det(blue) -> det(robot)", "blue: obj(push) -> amod(robot)", "robot: vocative(push) -> obj(push)"),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_objects_of_vocatives,
-    ),
-    TreeRepair(
-        "names_behind_nouns",
-        "Attach a name, a letter or a number to the noun or the name in front of it.",
-        Example(
-            "go|VERB|0|root to|ADP|3|case room|NOUN|1|obl C|PROPN|1|vocative",
-            ("C: vocative(go) -> flat(room)",),
-        ),
-        Stage.FRAMER,
-        names.with_names_behind_nouns,
-    ),
-    TreeRepair(
-        "participles",
-        "Attach a participle directly behind a person or a thing to it.",
-        Example(
-            "greet|VERB|0|root men|NOUN|1|obj|man|NNS wearing|VERB|1|advcl|wear|VBG hats|NOUN|3|obj",
-            ("wearing: advcl(greet) -> acl(men)",),
-        ),
-        Stage.FRAMER,
-        participles.with_participles_at_nouns,
     ),
     TreeMeaning(
         "persons_told",
@@ -356,50 +145,6 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         hearers.with_persons_told,
-    ),
-    TreeRepair(
-        "things_added",
-        'Join a thing behind "and" to the object, not to the person or the place before it.',
-        Example(
-            "bring|VERB|0|root cups|NOUN|1|obj|cup to|ADP|4|case Bob|PROPN|1|obl and|CCONJ|6|cc forks|NOUN|4|conj|fork",
-            ("forks: conj(Bob) -> conj(cups)",),
-        ),
-        Stage.FRAMER,
-        additions.with_things_added,
-    ),
-    TreeRepair(
-        "objects_behind",
-        "Attach an object behind other phrases to the verb.",
-        Example(
-            "bring|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl the|DET|5|det dish|NOUN|3|conj",
-            ("dish: conj(Bob) -> obj(bring)",),
-        ),
-        Stage.FRAMER,
-        objects_behind.with_objects_behind,
-    ),
-    TreeRepair(
-        "inverted_places",
-        'Make a place before "is" the predicate: "behind the robot is a door".',
-        Example(
-            "behind|ADP|2|case robots|NOUN|4|obl are|AUX|4|cop|be doors|NOUN|0|root",
-            (
-                "robots: obl(doors) -> root",
-                "are: cop(doors) -> cop(robots)",
-                "doors: root -> nsubj(robots)",
-            ),
-        ),
-        Stage.FRAMER,
-        places_told.with_inverted_places,
-    ),
-    TreeRepair(
-        "places_described",
-        'Attach a clause to the place that it describes: "the room where Anna is".',
-        Example(
-            "go|VERB|0|root to|ADP|3|case rooms|NOUN|1|obl where|ADV|1|parataxis Anna|PROPN|4|nsubj is|AUX|4|cop|be",
-            ("where: parataxis(go) -> acl:relcl(rooms)",),
-        ),
-        Stage.FRAMER,
-        places_told.with_places_described,
     ),
     TreeMeaning(
         "places_shown",
@@ -432,15 +177,5 @@ ATTACHING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         places_told.with_places_told,
-    ),
-    TreeRepair(
-        "durations_at_verbs",
-        "Attach how long to the verb, not to a place.",
-        Example(
-            "go|VERB|0|root to|ADP|3|case halls|NOUN|1|obl for|ADP|6|case five|NUM|6|nummod minutes|NOUN|3|nmod",
-            ("minutes: nmod(halls) -> obl(go)",),
-        ),
-        Stage.FRAMER,
-        attached_phrases.with_durations_at_verbs,
     ),
 )

@@ -9,9 +9,7 @@ from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
-_ADDRESSEES = word_class("addressees")
 _CONDITIONS = word_class("conditions")
-_REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
 _HEARERS = word_class("hearers")
 #: Words between "make sure" and the "not" of what the hearer shall not do.
 _BEFORE_NOT = word_class("between_sure_and_not")
@@ -20,7 +18,6 @@ _CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")
 _STEPS = frozenset(["step"])
 _WAYS = word_class("verbs_with_ways")
-_LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _OF_NEGATIONS = frozenset(["advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep"])
@@ -28,7 +25,6 @@ _NO_LONGER = word_class("no_longer")
 _ORDER = word_class("adverbs_of_order")
 _JOINING = _ORDER | {"and"}
 _NO_THINGS = word_class("no_things")
-_QUESTION_WORDS = word_class("question_words")
 _REQUEST_VERBS = word_class("request_verbs")
 #: Words that forbid behind "make sure"; "make sure *nobody* comes in" says how things shall be.
 _FORBIDDING = _NEGATIONS - _NO_THINGS

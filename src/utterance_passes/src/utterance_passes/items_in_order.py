@@ -11,7 +11,6 @@ from word_classes import word_class
 _ORDER = word_class("adverbs_of_order")
 _BORDERS = frozenset([",", "and", "then"])
 _NOUNS = frozenset(["NOUN", "PROPN"])
-_SIDES = word_class("left_and_right")
 #: Relations of an item that the parser attaches to the verb or to another item.
 _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
 
@@ -34,25 +33,6 @@ def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         edit.rehang(adverb.index, item.index, ASIDE)
         if item.head != first.index:
             edit.rehang(item.index, first.index, "conj")
-    return edit.tree()
-
-
-@only_with_forms(_ORDER)
-def with_sides_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach "then" to the side right behind it, and each side to the verb: "turn left, *then right*, then left"."""
-    edit = TreeEdit(tree)
-    for adverb, side in zip(tree.words, tree.words[1:]):
-        if adverb.form.lower() not in _ORDER or side.form.lower() not in _SIDES or side.upos != "ADV":
-            continue
-        head = side
-        while head.head and tree.word(head.head).upos == "ADV":
-            head = tree.word(head.head)
-        if head.head and tree.word(head.head).upos == "VERB":
-            edit.rehang(adverb.index, side.index, "advmod")
-            edit.rehang(side.index, head.head, "advmod")
-            before = tree.word(adverb.index - 1) if adverb.index > 1 else adverb
-            if before.form == ",":
-                edit.rehang(before.index, side.index)
     return edit.tree()
 
 

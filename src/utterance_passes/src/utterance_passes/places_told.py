@@ -8,7 +8,6 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
-_ASKING = word_class("asking_verbs")
 #: Where something was, nobody knows.
 _BEING_NOW = word_class("present_forms_of_be")
 _FINDING = word_class("finding_verbs")
@@ -16,18 +15,9 @@ _GOING = word_class("verbs_of_going")
 _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _SHOWING = word_class("showing_verbs")
-_NOBODY = word_class("no_pronouns")
-_NOT = word_class("not")
-_ON_AND_OFF = frozenset(["on", "off"])
-_ON_OR_OFF = word_class("states_of_devices")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-_NOUNS = frozenset(["NOUN", "PROPN"])
-#: Relations of a place that a clause may describe.
-_OF_PLACES = frozenset(["obl", "nmod", "obj"])
 #: Relations of "where" at the verb on which it depends.
 _OF_STATEMENTS = frozenset(["ccomp", "xcomp", "advcl", "obj"])
-#: Relations of words that belong to a clause, not to the noun that is its predicate.
-_OF_CLAUSES = frozenset(["cop", "cc", "punct", "advmod", "discourse", "conj", "parataxis", "aux", "mark"])
 #: Subjects by objects.
 _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
@@ -111,113 +101,3 @@ def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 def _is_clause_at(verb: Word, where: Word) -> bool:
     """Whether "where" belongs to a verb: right behind it, it cannot be a remark."""
     return where.deprel in _OF_STATEMENTS or (where.deprel == "parataxis" and where.index == verb.index + 1)
-
-
-@only_with("parataxis", "advcl", "ccomp", "advmod")
-def with_places_described(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Attach a clause to the place that it describes: "the room *where Anna is*", "the room *Anna is in*"."""
-    edit = TreeEdit(tree)
-    for place in tree.words:
-        if place.upos != "NOUN" or place.index == len(tree.words) or place.deprel not in _OF_PLACES:
-            continue
-        first = tree.word(place.index + 1)
-        # In "where Bob sleeps" and "Anna is in", the first word is below the top of the clause.
-        is_below = first.head and not any(child.deprel == "nsubj" for child in tree.children(first.index))
-        top = tree.word(first.head) if is_below and first.deprel in ("advmod", "nsubj") else first
-        is_told = top.deprel == "ccomp" and _is_asked(tree, top, vocabulary)
-        is_apart = top.deprel in ("parataxis", "advcl", "ccomp", "advmod") and not is_told
-        is_described = first.form.lower() == "where" or _is_stranded(tree, top)
-        # Where nobody is, nobody knows.
-        is_known = not any(child.form.lower() in _NOBODY for child in tree.children(top.index))
-        if is_apart and is_described and is_known and place.index not in tree.subtree(top.index):
-            edit.rehang(top.index, place.index, "acl:relcl")
-    return edit.tree()
-
-
-def _is_asked(tree: DependencyTree, clause: Word, vocabulary: Vocabulary) -> bool:
-    """Whether a clause is what somebody asks, tells, shows or finds: "ask the man in the hall *where Anna is*"."""
-    verb = tree.word(clause.head)
-    lemma = verb.lemma.lower()
-    return verb.index < clause.index and (
-        vocabulary.speech_of(lemma) is not None or lemma in _ASKING | _SHOWING | _FINDING
-    )
-
-
-def _is_stranded(tree: DependencyTree, preposition: Word) -> bool:
-    """Whether a preposition has no noun but a subject and "is": "Anna is *in*"."""
-    relations = {child.deprel for child in tree.children(preposition.index)}
-    is_one = preposition.form.lower() in _PLACE_PREPOSITIONS
-    return preposition.upos in ("ADP", "ADV") and is_one and {"nsubj", "cop"} <= relations
-
-
-@only_with("cop")
-def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a place before "is" the predicate of the thing behind it: "behind the robot is a door".
-
-    The parser takes the place for the subject of the thing.
-    """
-    edit = TreeEdit(tree)
-    for thing in tree.words:
-        children = tree.children(thing.index)
-        copula = next((child for child in children if child.deprel == "cop" and child.index < thing.index), None)
-        places = [child for child in children if child.deprel in ("obl", "nsubj", "nmod") and _is_place(tree, child)]
-        places = [child for child in places if copula is not None and child.index < copula.index]
-        has_subject = any(child.deprel.startswith(("nsubj", "expl")) and child not in places for child in children)
-        if copula is None or thing.upos not in _NOUNS or len(places) != 1 or has_subject:
-            continue
-        edit.rehang(places[0].index, thing.head, thing.deprel)
-        edit.rehang(thing.index, places[0].index, "nsubj")
-        for child in children:
-            if child.deprel in _OF_CLAUSES and child.index != places[0].index:
-                edit.rehang(child.index, places[0].index)
-    return edit.tree()
-
-
-@only_with("cop")
-def with_states_before_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make the predicate of a state of a device in front of a place, in a clause: "check if the lights are *on* in the
-    hall"."""
-    edit = TreeEdit(tree)
-    for state, case in zip(tree.words, tree.words[1:]):
-        if state.form.lower() not in _ON_AND_OFF or case.deprel != "case" or case.head < case.index:
-            continue
-        place = tree.word(case.head)
-        below = (*tree.children(place.index), *tree.children(state.index))
-        copulas = [child for child in below if child.deprel == "cop"]
-        between = tree.words[copulas[0].index : state.index - 1] if copulas else ()
-        is_state = state.head in (place.index, place.head)
-        if not copulas or not place.head or not is_state or any(word.form.lower() not in _NOT for word in between):
-            continue
-        edit.retag(state.index, "ADJ", "JJ")
-        edit.rehang(state.index, place.head, place.deprel)
-        for child in tree.children(place.index):
-            if child.index < state.index:
-                edit.rehang(child.index, state.index)
-        edit.rehang(place.index, state.index, "obl")
-    return edit.tree()
-
-
-@only_with("cop")
-def with_places_of_subjects(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a place to the thing before it in a question about its state: "is the cup *on the table* red", "is the
-    radio *in the kitchen* on"."""
-    edit = TreeEdit(tree)
-    for predicate in tree.words:
-        children = tree.children(predicate.index)
-        copula = next((child for child in children if child.deprel == "cop"), predicate)
-        subject = next((child for child in children if child.deprel == "nsubj"), predicate)
-        if not copula.index < subject.index < predicate.index:
-            continue
-        places = [child for child in children if child.deprel == "obl" and _is_place(tree, child)]
-        for place in places if predicate.upos == "ADJ" else ():
-            if subject.index < place.index < predicate.index:
-                edit.rehang(place.index, subject.index, "nmod")
-        state = [child for child in children if child.index > predicate.index and child.form.lower() in _ON_OR_OFF]
-        if predicate.upos in _NOUNS and len(state) == 1 and state[0].deprel == "case" and _is_place(tree, predicate):
-            edit.rehang(state[0].index, predicate.head, predicate.deprel)
-            edit.retag(state[0].index, "ADV")
-            for child in children:
-                if child.deprel in _OF_CLAUSES or child.index == subject.index:
-                    edit.rehang(child.index, state[0].index)
-            edit.rehang(predicate.index, subject.index, "nmod")
-    return edit.tree()

@@ -6,9 +6,9 @@ utterance is cut where a known verb with its own object follows a complete phras
 
 from typing import Sequence, Tuple
 
+from semantic_types import shipped_types
 from spoken_quantities import find_number
 from utterance_passes.tree import QUOTATION_MARKS
-from utterance_passes.two_word_nouns import is_two_word_noun
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -17,6 +17,7 @@ _AROUND = "around"
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
+_LIKE_DEEDS = word_class("nouns_like_deeds")
 _MODALS = word_class("polite_modals")
 _NEVER_LAST = word_class("never_last")
 _OBJECTS = word_class("object_beginnings")
@@ -108,7 +109,7 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
     if (
         tags[position - 1] == "NOUN"
         and following not in _OBJECTS
-        and is_two_word_noun(*said[position - 1 : position + 1])
+        and _is_two_word_noun(*said[position - 1 : position + 1])
     ):
         return False  # "To the night *stand* to the left".
     if said[position] in _MODALS:
@@ -148,3 +149,9 @@ def _is_time(said: Sequence[str]) -> bool:
     has_day = any(word in _TIMES for word in said)
     is_last = said[-1] in _TIMES or find_number(said[-1]) is not None
     return has_day and is_last and all(word in _TIMES | _OF_TIMES or find_number(word) is not None for word in said)
+
+
+def _is_two_word_noun(first: str, second: str) -> bool:
+    """Whether two words are one noun whose second word may also be a deed: "the night stand"."""
+    together = f"{first} {second}"
+    return together in _LIKE_DEEDS or bool(shipped_types().of_noun([together]).types)

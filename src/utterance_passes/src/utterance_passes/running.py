@@ -2,7 +2,7 @@
 
 import logging
 from functools import partial
-from typing import AbstractSet, Callable, FrozenSet, List, Optional, Sequence, Set, Tuple, TypeVar
+from typing import AbstractSet, Callable, FrozenSet, Optional, Sequence, Set, Tuple, TypeVar
 
 from utterance_passes.spelling import Spelling, as_said
 from utterance_passes.trace import Trace
@@ -13,10 +13,8 @@ from utterance_passes.utterance_pass import (
     Kind,
     Pass,
     PassFailed,
-    Retag,
     Surroundings,
     SurroundingsPass,
-    TagPass,
     TextPass,
     TreePass,
     Uncertain,
@@ -128,30 +126,6 @@ def run_cut_passes(
                 trace.add(one.name, forms[position - 1], "", "begins a command, parsed alone", [position])
             found.add(position)
     return tuple(sorted(found))
-
-
-def run_tag_passes(
-    forms: Sequence[str],
-    tags: Sequence[str],
-    vocabulary: Vocabulary,
-    passes: Sequence[TagPass],
-    *,
-    without: AbstractSet[str] = NONE,
-    trace: Optional[Trace] = None,
-) -> Tuple[Retag, ...]:
-    """Return the corrected tags of a sentence; each pass sees the tags from the passes before it."""
-    found: List[Retag] = []
-    nothing: Tuple[Retag, ...] = ()
-    tags = list(tags)
-    for one in passes:
-        run = partial(one.run, forms, list(tags), vocabulary)
-        for retag in _result(one, run, nothing, trace) if one.name not in without else ():
-            if trace is not None:
-                position = retag.position
-                trace.add(one.name, forms[position - 1], tags[position - 1], f"{retag.upos}, parsed again", [position])
-            tags[retag.position - 1] = retag.upos
-            found.append(retag)
-    return tuple(found)
 
 
 def run_tree_passes(

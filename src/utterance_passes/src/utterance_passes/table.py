@@ -1,6 +1,6 @@
 """Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another.
 
-``text_table`` has the passes on text, ``tag_table`` those on tags; ``clause_table`` and ``attaching_table`` have those
+``text_table`` has the passes on text; ``clause_table`` and ``attaching_table`` have those
 that correct the parse.
 """
 
@@ -9,6 +9,7 @@ from typing import Tuple
 from utterance_passes import (
     argument_clusters,
     aspectual_verbs,
+    command_verb,
     comparisons,
     corrections,
     formulas,
@@ -17,17 +18,14 @@ from utterance_passes import (
     objections,
     quotations,
     reasons,
-    relations,
     run_ons,
     shared_verbs,
     surroundings,
-    tagging,
     times,
 )
 from utterance_passes.attaching_table import ATTACHING_PASSES
 from utterance_passes.clause_table import CLAUSE_PASSES
 from utterance_passes.joined_table import JOINING_PASSES
-from utterance_passes.tag_table import TAG_PASSES
 from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
 from utterance_passes.utterance_pass import (
     CutPass,
@@ -64,13 +62,6 @@ SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
 #: Find the places where the parser cuts a text, to parse each part alone.
 CUT_PASSES: Tuple[CutPass, ...] = (
     CutPass(
-        "sentences",
-        "Separate a command from the sentence before it.",
-        Example("I|PRON wait|VERB .|PUNCT Open|VERB it|PRON", ("4",), Verbs(frozenset(["open"]))),
-        Stage.PARSER,
-        run_ons.sentences,
-    ),
-    CutPass(
         "run_ons",
         "Separate commands that have no mark between them.",
         Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),
@@ -82,56 +73,6 @@ CUT_PASSES: Tuple[CutPass, ...] = (
 #: Passes that the parser runs on its own tree before it publishes the tree.
 PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     TreeRepair(
-        "one_object",
-        "Turn a particle between two objects of a verb into a preposition.",
-        Example(
-            "pick|VERB|0|root up|ADP|1|compound:prt cups|NOUN|1|obj off|ADP|1|compound:prt|off|RP beds|NOUN|1|obj",
-            ("off: compound:prt(pick) -> case(beds)", "beds: obj(pick) -> obl(pick)"),
-        ),
-        Stage.PARSER,
-        relations.with_one_object,
-    ),
-    TreeRepair(
-        "particle_predicates",
-        "Turn a particle with a copula into a clause.",
-        Example(
-            "check|VERB|0|root if|SCONJ|5|mark it|PRON|5|nsubj is|AUX|5|cop|be off|ADP|1|compound:prt",
-            ("off: compound:prt(check) -> ccomp(check)",),
-        ),
-        Stage.PARSER,
-        relations.without_particle_predicates,
-    ),
-    TreeRepair(
-        "verb_compounds",
-        "Turn a verb that is a compound with the verb before it into a clause.",
-        Example(
-            "go|VERB|0|root get|VERB|1|compound it|PRON|2|obj",
-            ("get: compound(go) -> xcomp(go)",),
-        ),
-        Stage.PARSER,
-        relations.without_verb_compounds,
-    ),
-    TreeRepair(
-        "relative_subjects",
-        'Make "who" the subject of the verb right behind it.',
-        Example(
-            "greet|VERB|0|root all|PRON|1|obj who|PRON|4|compound|who|WP leave|VERB|2|acl:relcl",
-            ("who: compound(leave) -> nsubj(leave)",),
-        ),
-        Stage.PARSER,
-        relations.with_relative_subjects,
-    ),
-    TreeRepair(
-        "infinitive_conjuncts",
-        'Turn a verb with "to" that is joined to a verb without it into a purpose clause.',
-        Example(
-            "turn|VERB|0|root to|PART|3|mark face|VERB|1|conj it|PRON|3|obj",
-            ("face: conj(turn) -> advcl(turn)",),
-        ),
-        Stage.PARSER,
-        relations.without_infinitive_conjuncts,
-    ),
-    TreeRepair(
         "reroot",
         "Make the verb of the command the root.",
         Example(
@@ -140,7 +81,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
             Verbs(frozenset(["scrub"])),
         ),
         Stage.PARSER,
-        tagging.rerooted,
+        command_verb.rerooted,
     ),
 )
 
@@ -322,5 +263,5 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
 #: All passes in order, from the text to the tree that the framer reads.
 PASSES: Tuple[Pass, ...] = (
-    TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
+    TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
 )

@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Callable, Match, Pattern, Tuple, Union
 
-from utterance_passes import fronted_times, restatements, spelling, typos
+from utterance_passes import restatements, spelling, typos
 from utterance_passes.utterance_pass import (
     Example,
     Stage,
@@ -12,7 +12,6 @@ from utterance_passes.utterance_pass import (
     TextPass,
     WordDisfluency,
     WordPass,
-    WordRepair,
 )
 from utterance_passes.vocabulary import Verbs
 
@@ -136,12 +135,5 @@ WORD_PASSES: Tuple[WordPass, ...] = (
         Example("turn left turn left two degrees", ("turn left two degrees",), Verbs(frozenset(["turn"]))),
         Stage.PARSER,
         restatements.without_less_precise,
-    ),
-    WordRepair(
-        "fronted_times",
-        "Set a time at the front apart from the verb behind it.",
-        Example("at six turn left", ("at six, turn left",), Verbs(frozenset(["turn"]))),
-        Stage.PARSER,
-        fronted_times.with_times_set_off,
     ),
 )

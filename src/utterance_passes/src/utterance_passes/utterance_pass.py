@@ -95,12 +95,6 @@ class WordDisfluency(WordPass):
     kind = Kind.DISFLUENCY
 
 
-class WordRepair(WordPass):
-    """Writes words so that the parser does not take them for others."""
-
-    kind = Kind.REPAIR
-
-
 @dataclass(frozen=True)
 class Surroundings:
     """A command and the words around it.
@@ -138,36 +132,6 @@ class CutPass(Pass):
     """
 
     run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[int, ...]]
-    kind: ClassVar[Kind] = Kind.REPAIR
-
-
-@dataclass(frozen=True)
-class Retag:
-    """Tags that a word must have.
-
-    Attributes:
-        position: position of the word, from 1
-        upos: universal part of speech
-        xpos: Penn tag
-        feats: features, as in CoNLL-U; empty if there are none
-        lemma: dictionary form; empty if it stays
-    """
-
-    position: int
-    upos: str
-    xpos: str
-    feats: str = ""
-    lemma: str = ""
-
-
-@dataclass(frozen=True)
-class TagPass(Pass):
-    """Finds wrong tags in a tagged sentence; the parser corrects them and parses again.
-
-    ``run`` takes the words of the sentence, their universal tags, and the vocabulary.
-    """
-
-    run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[Retag, ...]]
     kind: ClassVar[Kind] = Kind.REPAIR
 
 

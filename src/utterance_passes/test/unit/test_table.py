@@ -10,13 +10,12 @@ from utterance_passes.conllu import from_short
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
-    run_tag_passes,
     run_text_passes,
     run_tree_passes,
     run_word_passes,
 )
 from utterance_passes.spelling import as_said
-from utterance_passes.table import PASSES, TAG_PASSES
+from utterance_passes.table import PASSES
 from utterance_passes.text_table import TEXT_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import (
@@ -24,45 +23,12 @@ from utterance_passes.utterance_pass import (
     Pass,
     Stage,
     SurroundingsPass,
-    TagPass,
     TextPass,
     TreePass,
     WordPass,
 )
 
-ORDER = (
-    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units minus_sign "
-    "negative_sign ratios false_starts repeated_starts half_phrases hesitation shares contractions blanks ends typos "
-    "less_precise fronted_times surroundings sentences run_ons command_verb verbs_behind_commas verbs_behind_no "
-    "verbs_behind_and signs no_one sides_alone nouns_in_lists numbers_as_nouns amounts_as_verbs nouns_like_deeds "
-    "numbered_noun adverbs prepositions_as_verbs left_behind prepositions_before_names gerunds_as_nouns "
-    "names_as_verbs small_names_as_verbs nouns_behind_verbs contracted_verbs verbs_of_conditions verbs_of_questions "
-    "resulting_states "
-    "properties_of_pronouns one_object particle_predicates verb_compounds relative_subjects infinitive_conjuncts "
-    "reroot mentioned_words objection restarts corrections emphatic_do places_of_turns particles_at_verbs "
-    "numbers_at_verbs manners_joined conditions_joined conditions_of_hearers bounds_of_messages phrases_behind_joints "
-    "deeds_joined deadlines_joined remarks_joined copulas_at_question_words prepositions_of_nouns words_said "
-    "phrases_in_a_row places_of_what_fails places_of_what_there_is places_over_here shared_nouns clothes_at_persons "
-    "words_set_off deeds_behind_questions things_put_down states_before_places sides_of_goals places_of_whom_is_told "
-    "specified_items owned_things_apart subjects_of_descriptions modals_as_nouns "
-    "as_well_as not_only bounded_counts "
-    "commands_behind_statements wished_results remarks prepositions_at_names asked_clauses told_predicates "
-    "words_before_nouns hearers_joined deeds_of_hearers messages_behind_clauses requests_behind_clauses "
-    "things_named_by_clauses goals_behind_clauses predicates_as_clauses purposes_of_things purposes_of_deeds "
-    "steps_taken places_of_subjects topics_at_nouns hands_at_verbs there_at_things phrases_of_what_is_asked "
-    "upside_down places_in_a_row ways_at_verbs wholes_at_pronouns exceptions meant_instead things_named_again "
-    "ways_behind_particles "
-    "avoided_places awaited_deeds sides_in_order items_in_order contrasts particles_on_the_way ahead_of "
-    "speeds_together superlatives_at_nouns places_of_devices places_of_all measured_turns sides_apart compass_apart "
-    "around_apart degrees objects_of_vocatives names_behind_nouns participles persons_told things_added "
-    "objects_behind inverted_places places_described places_shown places_told durations_at_verbs aspectual_verbs "
-    "light_verbs quotations comparisons formulas reasons argument_clusters shared_verbs times"
-).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
-
-
-def test_order() -> None:
-    assert [one.name for one in PASSES] == ORDER
 
 
 def test_names_are_told_apart() -> None:
@@ -102,12 +68,6 @@ def result(one: Pass, passes: Tuple[Pass, ...]) -> List[str]:
         forms, tags = tagged(example.said)
         cutting = [each for each in passes if isinstance(each, CutPass)]
         return [str(position) for position in run_cut_passes(forms, tags, example.vocabulary, cutting)]
-    if isinstance(one, TagPass):
-        forms, tags = tagged(example.said)
-        tagging = [each for each in passes if isinstance(each, TagPass)]
-        return [
-            f"{tag.position} {tag.upos} {tag.xpos}" for tag in run_tag_passes(forms, tags, example.vocabulary, tagging)
-        ]
     trace = Trace()
     trees = [each for each in passes if isinstance(each, TreePass)]
     run_tree_passes(from_short(example.said), example.vocabulary, trees, trace=trace)
@@ -132,9 +92,6 @@ def test_switched_off_by_name(one: Pass) -> None:
     elif isinstance(one, CutPass):
         forms, tags = tagged(example.said)
         assert not run_cut_passes(forms, tags, example.vocabulary, [one], without={one.name}, trace=trace)
-    elif isinstance(one, TagPass):
-        forms, tags = tagged(example.said)
-        assert not run_tag_passes(forms, tags, example.vocabulary, [one], without={one.name}, trace=trace)
     elif isinstance(one, TreePass):
         tree = from_short(example.said)
         assert run_tree_passes(tree, example.vocabulary, [one], without={one.name}, trace=trace) is tree
@@ -143,14 +100,6 @@ def test_switched_off_by_name(one: Pass) -> None:
 
 def test_text_is_parted_before_blanks_are_counted() -> None:
     assert run_text_passes(" go <pause> 3ft -2 ", TEXT_PASSES).text == "go 3 ft minus 2"
-
-
-def test_a_tag_pass_sees_the_tags_of_the_one_before() -> None:
-    vocabulary = PASSES[ORDER.index("command_verb")].example.vocabulary
-    retags = run_tag_passes(
-        "scrub it to order 3".split(), ["NOUN", "PRON", "PART", "VERB", "NUM"], vocabulary, TAG_PASSES
-    )
-    assert [(retag.position, retag.upos) for retag in retags] == [(1, "VERB"), (3, "ADP"), (4, "NOUN")]
 
 
 #: Functions of the modules that hold passes are called by the table alone.
@@ -182,10 +131,3 @@ def test_the_modules_of_passes_import_no_module_of_another_pass() -> None:
                 other = node.module.split(".")[1]
                 if other in modules:
                     assert {alias.name for alias in node.names} <= looking.get(other, set()), (module, other)
-
-
-def test_readme_lists_every_pass_in_its_order() -> None:
-    lines = (PACKAGE.parents[1] / "README.md").read_text(encoding="utf-8").splitlines()
-    rows = [line for line in lines if line.startswith("| `")]
-    stages = {Stage.PARSER: "parser", Stage.FRAMER: "framer"}
-    assert rows == [f"| `{one.name}` | {stages[one.stage]} | {one.what} |" for one in PASSES]

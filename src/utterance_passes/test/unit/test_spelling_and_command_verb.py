@@ -4,8 +4,8 @@ from typing import Optional
 
 import pytest
 
-from utterance_passes.conllu import from_conllu, from_short
-from utterance_passes.correct_parse import with_measured_turns
+from utterance_passes.command_verb import command_verb_position, rerooted
+from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_text_passes
 from utterance_passes.spelling import (
     Spelling,
@@ -14,7 +14,6 @@ from utterance_passes.spelling import (
     without_hesitation,
     without_repeated_starts,
 )
-from utterance_passes.tagging import command_verb_position, numbered_noun_position, rerooted
 from utterance_passes.text_table import TEXT_PASSES
 from utterance_passes.vocabulary import Verbs
 
@@ -99,22 +98,6 @@ def test_rerooted_leaves_a_right_tree_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    "text, tags, position",
-    [
-        ("compute it to order seven .", "VERB PRON PART VERB NUM PUNCT", 4),
-        ("compute it to order seven", "VERB PRON PART VERB NUM", 4),
-        ("go to fetch seven", "VERB PART VERB NUM", None),  # a verb of the lexicon
-        ("compute it to order seven mugs", "VERB PRON PART VERB NUM NOUN", None),
-        ("compute it to order", "VERB PRON PART VERB", None),
-        ("drive to room seven", "VERB ADP NOUN NUM", None),
-    ],
-)
-def test_numbered_noun(text: str, tags: str, position: Optional[int]) -> None:
-    verbs = Verbs(frozenset({"compute", "go", "fetch", "drive"}))
-    assert numbered_noun_position(text.split(), tags.split(), verbs) == position
-
-
-@pytest.mark.parametrize(
     "said, written",
     [
         ("go to the off- the kitchen", "go to the kitchen"),
@@ -168,15 +151,3 @@ def test_hesitation(said: str, written: str) -> None:
 )
 def test_a_filler_between_two_numbers_stays(said: str, left: str) -> None:
     assert without_hesitation(as_said(said)).text == left
-
-
-@pytest.mark.parametrize(
-    "tree, is_noun",
-    [
-        ("rotate|VERB|0|root one|NUM|1|obj turn|VERB|1|conj left|ADV|3|advmod", True),
-        ("open|VERB|0|root one|NUM|1|obj turn|VERB|1|conj left|ADV|3|advmod", False),
-    ],
-)
-def test_one_turn_behind_a_verb_of_turning_is_an_amount(tree: str, is_noun: bool) -> None:
-    made = with_measured_turns(from_short(tree), Verbs(frozenset(["rotate", "open", "turn"])))
-    assert (made.word(3).upos == "NOUN") is is_noun
