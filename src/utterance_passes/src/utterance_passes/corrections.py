@@ -8,6 +8,7 @@ Dependencies; later steps ignore them. If it is not certain what the correction 
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
+from utterance_passes.amounts import SIGNS
 from utterance_passes.formula_file import is_filler, pattern_of
 from utterance_passes.measures import Amount, find_amounts
 from utterance_passes.times import find_times
@@ -54,8 +55,8 @@ def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
 def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Drop the first of two equal words in a row: "turn turn left", "ninety uh ninety degrees".
 
-    A repeated number without a filler is two digits, also with a comma between figures: "5,5" may mean 5.5. "Very very"
-    is an emphasis.
+    A repeated number without a filler is two digits, also with a comma between figures: "5,5" may mean 5.5. A repeated
+    sign may mean the contrary: "minus minus 4". "Very very" is an emphasis.
     """
     if len(tree.forms) == len(tree.words):
         return tree
@@ -64,7 +65,7 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_restart = (
             first.form.lower() == second.form.lower()
             and first.upos not in ("ADV", "ADJ", "INTJ")
-            and (first.upos != "NUM" or _is_number_said_again(tree, first, second))
+            and (not _is_of_a_number(first) or _is_number_said_again(tree, first, second))
         )
         if not is_restart:
             continue
@@ -79,6 +80,10 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         except NotATree:
             continue
     return tree
+
+
+def _is_of_a_number(word: Word) -> bool:
+    return word.upos == "NUM" or word.form.lower() in SIGNS
 
 
 def _is_number_said_again(tree: DependencyTree, first: Word, second: Word) -> bool:
