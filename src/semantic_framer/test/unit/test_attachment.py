@@ -213,14 +213,6 @@ def test_verb_of_several_words_is_one_verb_where_the_lexicon_has_it() -> None:
     assert [clause.lemma for clause in find_clauses(from_conllu(LET_GO))] == ["go"]
 
 
-def test_modal_without_a_verb_is_a_noun() -> None:
-    rows = (
-        "1 lift lift VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 trash trash NOUN NN _ 1 obj _ _"
-        "\n4 can can AUX MD _ 1 parataxis _ _"
-    )
-    assert filled(rows) == {"theme": "the trash can"}
-
-
 def test_modal_with_a_subject_is_no_noun() -> None:
     rows = (
         "1 lift lift VERB VB _ 0 root _ _\n2 mugs mug NOUN NNS _ 1 obj _ _\n3 can can AUX MD _ 1 parataxis _ _"

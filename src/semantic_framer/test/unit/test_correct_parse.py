@@ -34,16 +34,6 @@ from utterance_passes.vocabulary import Verbs
             2,
             "nmod",
         ),
-        # "open windows a bit"
-        (
-            (
-                "1 open open VERB VB _ 0 root _ _\n2 windows window NOUN NNS _ 1 obj _ _\n3 a a DET DT _ 4 det _ _"
-                "\n4 bit bit NOUN NN _ 2 nmod:unmarked _ _"
-            ),
-            4,
-            1,
-            "obl:unmarked",
-        ),
     ],
 )
 def test_word_is_rehung(rows: str, index: int, head: int, deprel: str) -> None:
