@@ -12,6 +12,7 @@ import rospy
 from roboframenet_msgs.msg import CommandPlan, OrderDue, Reply, StageEvent, StoppedPlan, StopReport
 from std_msgs.msg import String
 
+from command_server.emergency_words import is_release
 from command_server.follow_ups import FollowUps
 from command_server.inbox import Inbox
 from command_server.open_commands import (
@@ -32,7 +33,8 @@ from command_server.orders_back import SPARED_NS, order_words, said_behind
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
-from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal
+from command_server.ros_emergency import RELEASE_TIMEOUT_S, EmergencyGate, Released
+from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal, said_by_text
 from command_server.ros_going_on import StoppedPlans
 from command_server.ros_language_service import LanguageService
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
@@ -46,7 +48,7 @@ from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.command_ids import TextIds, TextSource
-from roboframenet_ros.health import Health
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
@@ -64,11 +66,13 @@ _WAIT_FOR_STOP = 3.0
 _BRAKE_SLACK_S = 1.0
 # At the end: for the worker, and for the last messages to leave the process.
 _JOIN_TIMEOUT_S, _FLUSH_S = 5.0, 0.1
+# Right after a suspension, what is heard may have been said long before, seconds.
+_JUST_AWAKE_S = 0.5
 _ALL_STOPPED = "Everything that it had started is stopped: zero velocity, and no goal is left."
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
-_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Braked, Finding, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Released, Braked, Finding, None]
 
 
 class CommandServerNode:
@@ -76,7 +80,7 @@ class CommandServerNode:
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``, ``fleet_service``.
     Publishes: ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``text_taken``,
-    ``command_server_started`` (latched), and what a `Brake` does. Actions: ``command``.
+    ``command_server_started`` (latched), and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -107,6 +111,7 @@ class CommandServerNode:
         self._cancels = CancelTopic()
         self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
+        self._emergency = EmergencyGate(self._brake, on_released=self._events.put)
         self._brakings: Dict[str, Braking] = {}
         self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
         self._start_ns = _now_ns()
@@ -130,14 +135,16 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("order_due", OrderDue, self._events.put),
             rospy.Subscriber("stopped_plan", StoppedPlan, self._events.put),
-            rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
+            rospy.Subscriber("text", String, lambda message: self._events.put(said_by_text(message))),
         ]
         self._replies.tell_start()
         self._action.start()
 
     def health(self) -> Health:
         """How the node is."""
-        return Health(values={"open commands": len(self._saved), "last reply": self._replies.last_reply.code})
+        values = {"open commands": len(self._saved), "last reply": self._replies.last_reply.code}
+        held = self._emergency.sentence
+        return Health(Level.WARN, held, values) if held else Health(values=values)
 
     def _shutdown(self) -> None:
         self._events.put(None)
@@ -172,6 +179,9 @@ class CommandServerNode:
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
+                if self._emergency.sentence:
+                    self._conclude(self._emergency.refusal(command))
+                    continue
                 self._commands.begin(command)
                 self._texts.add(command)
             for ending in self._withdrawals.take_overdue():
@@ -197,9 +207,12 @@ class CommandServerNode:
         elif isinstance(event, StopReport):
             self._hear_stop_report(event)
         elif isinstance(event, OrderDue):
-            self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
+            refusal = self._emergency.refusal if self._emergency.sentence else None
+            self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns, refusal=refusal)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
+        elif isinstance(event, Released):
+            self._conclude(event.ending)
         elif isinstance(event, Braked):
             if event.order.key in self._brakings:
                 self._brakings[event.order.key] = Braking(braked=event)
@@ -221,7 +234,12 @@ class CommandServerNode:
         command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
         self._replies.note_heard(command)
         cry = find_cry(said.text)
-        if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
+        is_order_meant = takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands)
+        if is_release(said.text) and refusal is None:
+            self._release(command, is_played=said.is_played)
+        elif self._emergency.sentence and (cry is None or is_order_meant):
+            self._conclude_at_once(self._emergency.refusal(command))
+        elif is_order_meant:
             command = replace(command, stamp_ns=command.stamp_ns + SPARED_NS)
             self._last_stamp_ns = command.stamp_ns
             self._commands.open(command)
@@ -244,6 +262,16 @@ class CommandServerNode:
             self._commands.open(command)
             self._texts.add(command)
             self._replies.note(f"Heard {command.text!r}.")
+
+    def _release(self, command: CommandText, *, is_played: bool) -> None:
+        """A person releases the emergency stop: the stop server decides."""
+        if is_played or self._suspension.is_just_awake(within_s=_JUST_AWAKE_S):
+            sentence = f"Only what a person says now releases the emergency stop. {self._emergency.sentence}".strip()
+            self._answer_at_once(command, Outcome.REFUSED, code="EMERGENCY_STOP", sentence=sentence)
+            return
+        self._commands.open(command)
+        self._commands.extend(command.command_id, timeout_s=RELEASE_TIMEOUT_S)
+        self._emergency.release(command)
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
         # The stop server and the executor hear it too. But a command that was said just before the stop may reach this
@@ -349,8 +377,10 @@ class CommandServerNode:
             self._answer(closed)
 
     def _answer_at_once(self, command: CommandText, outcome: Outcome, *, code: str, sentence: str) -> None:
-        self._commands.open(command)
-        ending = Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence)
+        self._conclude_at_once(Ending(command, outcome, stage=OWN_STAGE, code=code, sentence=sentence))
+
+    def _conclude_at_once(self, ending: Ending) -> None:
+        self._commands.open(ending.command)
         if not self._withdraw(ending):
             self._conclude(ending)
 
@@ -382,10 +412,12 @@ class CommandServerNode:
         for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
             self._brakings[stop.command_id] = Braking()
             self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
+            self._emergency.stop_in_place(stop.text)
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
         for stop in self._stops.take_overdue():
             braking = self._brakings.pop(stop.command_id, Braking())
             standing = braking.standing(stop.text, limit_s=self._brake_settings.zero_velocity_limit_s)
+            standing = f"{standing} {self._emergency.sentence}".strip()
             command = CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text)
             self._answer(ending_of_silent_stop(command, timeout_s=self._settings.stop_timeout_s, standing=standing))
             self._pass_on_answer(stop.command_id, self._replies.last_reply)

@@ -1,10 +1,17 @@
 """Standing orders that are due: commands that begin at the executor."""
 
-from typing import Callable
+from typing import Callable, Optional
 
 from roboframenet_msgs.msg import CommandPlan, OrderDue
 
-from command_server.open_commands import EXECUTOR_STAGE, Ending, OpenCommands, ending_of_cancelled, ending_of_missed
+from command_server.open_commands import (
+    EXECUTOR_STAGE,
+    CommandText,
+    Ending,
+    OpenCommands,
+    ending_of_cancelled,
+    ending_of_missed,
+)
 from command_server.ros_messages import command_to_message, due_from_message
 from roboframenet_ros.ros_hand_over import HandOver
 
@@ -25,18 +32,23 @@ class OrdersDue:
         self._command_plan = command_plan
         self._on_not_begun = on_not_begun
 
-    def begin(self, due: OrderDue, *, stop_stamp_ns: int) -> None:
+    def begin(
+        self, due: OrderDue, *, stop_stamp_ns: int, refusal: Optional[Callable[[CommandText], Ending]] = None
+    ) -> None:
         """Open the command of a standing order, and send its plan.
 
         Args:
             due: the standing order
             stop_stamp_ns: stamp of the last stop, nanoseconds of ROS time; what was due before it does not begin
+            refusal: returns how each command is refused now; None if it is not
         """
         command = due_from_message(due)
         if self._commands.get(command.command_id) is not None:
             return
         self._commands.open(command, stage=EXECUTOR_STAGE)
-        if command.stamp_ns <= stop_stamp_ns:
+        if refusal is not None:
+            self._on_not_begun(refusal(command))
+        elif command.stamp_ns <= stop_stamp_ns:
             self._on_not_begun(ending_of_cancelled(command))
         elif due.not_done:
             self._on_not_begun(ending_of_missed(command, due.not_done))

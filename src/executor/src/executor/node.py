@@ -43,6 +43,8 @@ from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
+from robot_stop.emergency import Emergency
+from robot_stop.ros_emergency import EmergencyWatch
 
 # The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
@@ -151,13 +153,14 @@ class _MasterLost:
     """The master is gone."""
 
 
-_Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, None]
+_Event = Union[CommandPlan, StopReport, Command, Emergency, _Note, _RunEnded, _MasterLost, None]
 
 
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``, ``command_server_started``.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``emergency_stop``, ``frame_servers``,
+    ``command_server_started``.
     Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
@@ -185,6 +188,7 @@ class ExecutorNode:
         self._unexplained: List[Tuple[float, _RunEnded]] = []
         self._next_event_s = 0.0
         self._inbox: queue.SimpleQueue[_Event] = queue.SimpleQueue()
+        self._emergency = EmergencyWatch(self._inbox.put)
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
@@ -251,11 +255,15 @@ class ExecutorNode:
         """Cancel everything when the command server is gone; one that is started again would only do the same."""
         if rospy.is_shutdown() or not self._commander.is_lost(newest_link(self._sign_of_commander) != ("", "")):
             return
-        orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
-        if orders:
+        if self._cancel_all():
             rospy.logwarn("who gave the commands is gone; they are cancelled")
+
+    def _cancel_all(self) -> int:
+        """Cancel everything; returns how many commands that are."""
+        orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
         for order in orders:
             self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        return len(orders)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):
@@ -265,6 +273,10 @@ class ExecutorNode:
             self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec(), now_ns=now_ns))
         elif isinstance(event, Command):
             self._follow(command_queue.cancel(self._commands, event.id))
+        elif isinstance(event, Emergency):
+            if event.is_engaged:
+                # The report of the stop says the same, unless the stop server was killed before.
+                self._cancel_all()
         elif isinstance(event, _Note):
             order = self._order_of(event.run)
             if order is not None:
@@ -349,8 +361,10 @@ class ExecutorNode:
         """Keep the next queue, and take its actions."""
         self._commands, actions = step
         for action in actions:
-            if isinstance(action, Start) and self._master.is_lost:
-                self._end(action.order.job.command, replies.ending_without_master())
+            held = self._emergency.state.sentence
+            if isinstance(action, Start) and (held or self._master.is_lost):
+                ending = replies.ending_of_held(held) if held else replies.ending_without_master()
+                self._end(action.order.job.command, ending)
                 command_id = action.order.key.command_id
                 self._follow(command_queue.finish(self._commands, command_id, is_done=False))
             elif isinstance(action, Start):
@@ -411,8 +425,7 @@ class ExecutorNode:
 
     def _end_all(self) -> None:
         """Cancel everything before the node exits, so that the robot does not go on without it."""
-        for order in (*self._commands.waiting, *(one.order for one in self._commands.running)):
-            self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        self._cancel_all()
         self._pass_on_explained()
         # The end of each run comes through the inbox; its thread has deadlines for everything it waits for.
         end_s = time.monotonic() + self._settings.preempt_timeout_s + 1.0
