@@ -9,7 +9,6 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import EmergencyStop
 
-from roboframenet_ros.ros_robots import own_robot
 from robot_stop.emergency import Emergency, newer
 from robot_stop.emergency_file import EmergencyFile
 
@@ -22,9 +21,9 @@ OWNER = "stop_server"
 
 
 def emergency_file() -> EmergencyFile:
-    """Return the file of this robot, below ROS_HOME."""
+    """Return the file of this robot, below ROS_HOME; each namespace is another robot."""
     home = Path(os.environ.get("ROS_HOME", "~/.ros")).expanduser()
-    robot = own_robot()
+    robot = rospy.get_namespace().strip("/").replace("/", ".")
     return EmergencyFile(home / (f"emergency_stop.{robot}.json" if robot else "emergency_stop.json"))
 
 
