@@ -12,6 +12,8 @@ RELEASING: Tuple[str, ...] = ("release", "reset", "lift", "clear", "unlock", "di
 RELEASED: Tuple[str, ...] = ("the emergency stop", "emergency stop", "the estop", "estop", "the e stop", "e stop")
 _AROUND: FrozenSet[str] = frozenset("please ok okay robot turtlebot now hey".split())
 _RELEASES: FrozenSet[str] = frozenset(f"{verb} {name}" for verb in RELEASING for name in RELEASED)
+#: The reply to a release that is not said by a person now.
+NOT_A_PERSON = "Only what a person says now releases the emergency stop."
 
 
 def is_emergency_stop(text: str) -> bool:
@@ -35,3 +37,13 @@ def is_release(text: str) -> bool:
     if "?" in text:
         return False
     return " ".join(word for word in words_of(text).split() if word not in _AROUND) in _RELEASES
+
+
+def may_release(text: str) -> bool:
+    """Whether an utterance may release the emergency stop of a robot that it names, whatever else is said.
+
+    Args:
+        text: in any spelling
+    """
+    said = f" {words_of(text)} "
+    return any(f" {phrase} " in said for phrase in _RELEASES)

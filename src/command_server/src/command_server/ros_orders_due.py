@@ -20,34 +20,39 @@ class OrdersDue:
     """Opens the commands of standing orders."""
 
     def __init__(
-        self, commands: OpenCommands, command_plan: HandOver, *, on_not_begun: Callable[[Ending], None]
+        self,
+        commands: OpenCommands,
+        command_plan: HandOver,
+        refusal: Callable[[CommandText], Optional[Ending]],
+        *,
+        on_not_begun: Callable[[Ending], None],
     ) -> None:
         """
         Args:
             commands: that are open
             command_plan: the topic of the plans
-            on_not_begun: called with the ending of an order that was missed or stopped
+            refusal: returns how a command is refused now; None if it is not
+            on_not_begun: called with the ending of an order that was missed, stopped or refused
         """
+        self._refusal = refusal
         self._commands = commands
         self._command_plan = command_plan
         self._on_not_begun = on_not_begun
 
-    def begin(
-        self, due: OrderDue, *, stop_stamp_ns: int, refusal: Optional[Callable[[CommandText], Ending]] = None
-    ) -> None:
+    def begin(self, due: OrderDue, *, stop_stamp_ns: int) -> None:
         """Open the command of a standing order, and send its plan.
 
         Args:
             due: the standing order
             stop_stamp_ns: stamp of the last stop, nanoseconds of ROS time; what was due before it does not begin
-            refusal: returns how each command is refused now; None if it is not
         """
         command = due_from_message(due)
         if self._commands.get(command.command_id) is not None:
             return
         self._commands.open(command, stage=EXECUTOR_STAGE)
+        refusal = self._refusal(command)
         if refusal is not None:
-            self._on_not_begun(refusal(command))
+            self._on_not_begun(refusal)
         elif command.stamp_ns <= stop_stamp_ns:
             self._on_not_begun(ending_of_cancelled(command))
         elif due.not_done:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from command_server.emergency_words import is_emergency_stop, is_release
+from command_server.emergency_words import is_emergency_stop, is_release, may_release
 from command_server.stop_words import is_stop
 
 
@@ -36,7 +36,7 @@ def test_these_engage_it_and_are_cries(text):
         "Emergency!",
         "Where is the emergency stop?",
         "Go to the emergency stop.",
-        "Is the emergency stop engaged?",
+        "Is the e-stop engaged?",
     ],
 )
 def test_these_do_not(text):
@@ -76,8 +76,18 @@ def test_these_release_it_and_are_no_cries(text):
         'Say "release the emergency stop".',
         "Stop. Release the emergency stop.",
         "Cancel the emergency stop.",
-        'The emergency stop has held since 10:00:00 ("Emergency stop."). To release it, say "release the emergency stop".',
+        'The emergency stop has held since 10:00:00. To release it, say "release the emergency stop".',
     ],
 )
 def test_these_do_not_release_it(text):
     assert not is_release(text)
+
+
+@pytest.mark.parametrize("text", ["Alpha, release the emergency stop.", "Turn left and reset the e-stop, Beta."])
+def test_a_name_or_more_words_may_still_release_that_of_another_robot(text):
+    assert may_release(text)
+    assert not is_release(text)
+
+
+def test_other_words_may_not():
+    assert not may_release("Alpha, emergency stop.")

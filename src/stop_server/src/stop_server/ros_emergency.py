@@ -21,6 +21,8 @@ _WAIT_S = 0.5
 #: A longer turn of the thread means that the process was suspended: who asked for something has given it up.
 _LONGEST_TURN_S = _WAIT_S + 1.0
 _JUST_AWAKE_S = 0.5
+#: How long a release may wait until it is known who would drive, seconds.
+_LOOK_S, _POLL_S = 3.0, 0.05
 
 
 class EmergencyKeeper:
@@ -187,6 +189,11 @@ class EmergencyKeeper:
     def _reason_to_hold(self, until_s: float) -> str:
         if time.monotonic() >= until_s or self._suspension.is_just_awake(within_s=_JUST_AWAKE_S):
             return "this was asked for some time ago. Ask again"
+        end_s = min(until_s, time.monotonic() + _LOOK_S)
+        while not self._brake.held_obedience.is_known and time.monotonic() < end_s:
+            # This node has just started.
+            time.sleep(_POLL_S)
+            self._suspension.turn()
         obedience = self._brake.held_obedience
         if obedience.is_complete:
             return ""

@@ -38,8 +38,8 @@ _PORTS = 10
 class WebConsole:
     """Joins the subscribers, the views and the site. Its methods run in the thread of the event loop.
 
-    Publishes: what a `Speaker` does. Subscribes: ``emergency_stop``, and what `Listener`, `GroundTap` and `KnowledgeTap`
-    do.
+    Publishes: what a `Speaker` does. Subscribes: ``emergency_stop``, and what `Listener`, `GroundTap` and
+    `KnowledgeTap` do.
     """
 
     def __init__(self, settings: Settings, site_settings: SiteSettings, brake_settings: BrakeSettings) -> None:

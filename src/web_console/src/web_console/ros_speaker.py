@@ -30,7 +30,8 @@ Later = Callable[[float, Callable[[], None]], None]
 class Speaker:
     """Publishes what pages ask for. All methods are for the thread of the event loop.
 
-    Publishes: ``command/goal``, ``command/cancel``, ``text`` (only "Stop." and "Emergency stop."), and what a `Brake` does.
+    Publishes: ``command/goal``, ``command/cancel``, ``text`` (only "Stop." and "Emergency stop."), and what a `Brake`
+    does.
     """
 
     def __init__(
