@@ -25,6 +25,7 @@ SUMS = {
     "roboframenet_msgs/EmbeddedFrame": "07a77a275c818f4f02cbbf04637db4cd",
     "roboframenet_msgs/EmptyFrameElement": "a29b0317b8ca9f43f3140ecb78df89fc",
     "roboframenet_msgs/EmptySemanticFrame": "7e363b67e656a5799fe51a2012c51f8a",
+    "roboframenet_msgs/EmergencyStop": "68a20ad1771384b43f825cc3239f795d",
     "roboframenet_msgs/ExecuteCommandAction": "a4b2ce98a43b97aa6d8ca69c9da70a94",
     "roboframenet_msgs/Experience": "58392715ab1c30ec8ebeb53c700d6e0f",
     "roboframenet_msgs/ExperienceCell": "e53631626de49ad42453e56e64a3464d",

@@ -51,7 +51,8 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
         Kind.STOP,
         Tail.ANYTHING,
         (
-            "stop; halt; abort; whoa; woah; estop; e stop; cease; emergency stop; emergency halt; would you mind "
+            "stop; halt; abort; whoa; woah; estop; e stop; cease; emergency stop; emergency halt; engage the emergency "
+            "stop; activate the emergency stop; would you mind "
             "stopping; do you mind stopping; how about stopping; come to a stop; come to a halt; come to a "
             "standstill; come to a full stop; come to a complete stop; come to a complete halt; enough of"
         ),

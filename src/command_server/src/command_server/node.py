@@ -6,24 +6,23 @@ Callbacks only enqueue; one worker thread owns the commands.
 import threading
 import time
 from dataclasses import replace
-from typing import Dict, Tuple, Union
+from typing import Tuple, Union
 
 import rospy
 from roboframenet_msgs.msg import CommandPlan, OrderDue, Reply, StageEvent, StoppedPlan, StopReport
 from std_msgs.msg import String
 
+from command_server.emergency_words import is_release
 from command_server.follow_ups import FollowUps
 from command_server.inbox import Inbox
 from command_server.open_commands import (
     OWN_STAGE,
-    STOP_STAGE,
     CommandText,
     Ending,
     OpenCommands,
     Outcome,
     ending_at_shutdown,
     ending_of_cancelled,
-    ending_of_silent_stop,
     refusal_of_delay,
     refusal_of_text,
     stamp_after,
@@ -32,7 +31,8 @@ from command_server.orders_back import SPARED_NS, order_words, said_behind
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
-from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal
+from command_server.ros_emergency import RELEASE_TIMEOUT_S, EmergencyGate, Released
+from command_server.ros_events import GoalCancelled, Said, said_by_goal, said_by_text
 from command_server.ros_going_on import StoppedPlans
 from command_server.ros_language_service import LanguageService
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
@@ -41,6 +41,7 @@ from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_orders_back import takes_back
 from command_server.ros_orders_due import OrdersDue
 from command_server.ros_replies import Replies
+from command_server.ros_stops_in_place import StopsInPlace
 from command_server.ros_texts_out import TextsOut
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
@@ -50,6 +51,7 @@ from roboframenet_ros.health import Health
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
+from robot_stop.emergency import CODE as EMERGENCY_STOP
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import STOPPED_CODES, may_still_move
 from robot_stop.settings import BrakeSettings
@@ -68,7 +70,7 @@ _ALL_STOPPED = "Everything that it had started is stopped: zero velocity, and no
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
-_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Braked, Finding, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Released, Braked, Finding, None]
 
 
 class CommandServerNode:
@@ -76,7 +78,7 @@ class CommandServerNode:
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``, ``fleet_service``.
     Publishes: ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``text_taken``,
-    ``command_server_started`` (latched), and what a `Brake` does. Actions: ``command``.
+    ``command_server_started`` (latched), and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -87,7 +89,6 @@ class CommandServerNode:
             private: prefix of its private names
         """
         self._settings = settings
-        self._brake_settings = brake_settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
         self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
         self._last_stop_ns = 0
@@ -102,14 +103,22 @@ class CommandServerNode:
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
         self._texts, self._language = TextsOut(), LanguageService()
         command_plan = HandOver("command_plan", CommandPlan)
-        self._orders_due = OrdersDue(self._commands, command_plan, on_not_begun=self._conclude)
         self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
         self._cancels = CancelTopic()
         self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
-        self._brakings: Dict[str, Braking] = {}
+        self._emergency = gate = EmergencyGate(self._brake, on_released=self._events.put)
+        self._orders_due = OrdersDue(self._commands, command_plan, gate.refusal, on_not_begun=self._conclude)
         self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
-        self._start_ns = _now_ns()
+        self._in_place = StopsInPlace(
+            self._stops,
+            self._brake,
+            gate,
+            timeout_s=settings.stop_timeout_s,
+            brake_answer_s=self._brake_answer_s,
+            limit_s=brake_settings.zero_velocity_limit_s,
+        )
+        self._start_ns = rospy.Time.now().to_nsec()
         left_over = self._store.load()
         self._left_over = LeftOver(left_over, self._replies.publisher)
         for command in left_over:
@@ -130,14 +139,15 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("order_due", OrderDue, self._events.put),
             rospy.Subscriber("stopped_plan", StoppedPlan, self._events.put),
-            rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
+            rospy.Subscriber("text", String, lambda message: self._events.put(said_by_text(message))),
         ]
         self._replies.tell_start()
         self._action.start()
 
     def health(self) -> Health:
         """How the node is."""
-        return Health(values={"open commands": len(self._saved), "last reply": self._replies.last_reply.code})
+        values = {"open commands": len(self._saved), "last reply": self._replies.last_reply.code}
+        return self._emergency.health(values)
 
     def _shutdown(self) -> None:
         self._events.put(None)
@@ -170,8 +180,14 @@ class CommandServerNode:
             # The stages work while this thread looks after everything else.
             self._send()
             self._cancel_silent()
-            self._stop_in_place()
+            for ending in self._in_place.turn():
+                self._answer(ending)
+                self._pass_on_answer(ending.command.command_id, self._replies.last_reply)
             for command in self._follow_ups.take_due():
+                refusal = self._emergency.refusal(command)
+                if refusal is not None:
+                    self._conclude(refusal)
+                    continue
                 self._commands.begin(command)
                 self._texts.add(command)
             for ending in self._withdrawals.take_overdue():
@@ -185,7 +201,7 @@ class CommandServerNode:
 
     def _is_idle(self) -> bool:
         """Whether nothing waits but what has a deadline, or comes as an event."""
-        return not (self._commands.open_commands or self._brakings or self._left_over.is_waiting)
+        return not (self._commands.open_commands or self._in_place.is_busy or self._left_over.is_waiting)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):
@@ -200,9 +216,10 @@ class CommandServerNode:
             self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
+        elif isinstance(event, Released):
+            self._conclude(event.ending)
         elif isinstance(event, Braked):
-            if event.order.key in self._brakings:
-                self._brakings[event.order.key] = Braking(braked=event)
+            self._in_place.hear_braked(event)
         elif isinstance(event, Finding):
             self._hear_finding(event)
 
@@ -221,7 +238,14 @@ class CommandServerNode:
         command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
         self._replies.note_heard(command)
         cry = find_cry(said.text)
-        if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
+        is_order_meant = takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands)
+        if refusal is None and is_release(said.text):
+            self._commands.open(command)
+            self._commands.extend(command.command_id, timeout_s=RELEASE_TIMEOUT_S)
+            self._emergency.release(command, is_played=said.is_played, suspension=self._suspension)
+        elif self._emergency.sentence and (cry is None or is_order_meant):
+            self._answer_at_once(command, Outcome.REFUSED, code=EMERGENCY_STOP, sentence=self._emergency.sentence)
+        elif is_order_meant:
             command = replace(command, stamp_ns=command.stamp_ns + SPARED_NS)
             self._last_stamp_ns = command.stamp_ns
             self._commands.open(command)
@@ -299,8 +323,7 @@ class CommandServerNode:
             stop = self._stops.hear_report(report.command.id, report.command.text)
             self._replies.note("Stopping.")
         if stop is not None:
-            self._brake.release(stop.command_id)
-            self._brakings.pop(stop.command_id, None)
+            self._in_place.drop(stop.command_id)
 
     def _cancel(self, command_id: str) -> None:
         entry = self._commands.get(command_id)
@@ -373,28 +396,14 @@ class CommandServerNode:
                     self._answer_condemned(command_id, remark)
                 continue
             # An executor that hangs cannot cancel its goals.
-            self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))
+            self._brake.stop(StopOrder(key=command_id, stamp_ns=rospy.Time.now().to_nsec(), is_for_frames_only=True))
         for command_id in self._commands.overdue_condemned():
             self._answer_condemned(command_id, "I do not know whether the robot still moves.")
-
-    def _stop_in_place(self) -> None:
-        """Carry out the stops that the stop server does not carry out."""
-        for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
-            self._brakings[stop.command_id] = Braking()
-            self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
-            rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
-        for stop in self._stops.take_overdue():
-            braking = self._brakings.pop(stop.command_id, Braking())
-            standing = braking.standing(stop.text, limit_s=self._brake_settings.zero_velocity_limit_s)
-            command = CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text)
-            self._answer(ending_of_silent_stop(command, timeout_s=self._settings.stop_timeout_s, standing=standing))
-            self._pass_on_answer(stop.command_id, self._replies.last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
         """The brake reports which nodes obey."""
         key, is_stopped = finding.order.key, finding.obedience.is_complete
-        if key in self._brakings:
-            self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
+        self._in_place.hear_finding(finding)
         if not finding.is_first:
             self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
@@ -439,7 +448,3 @@ class CommandServerNode:
         for ending in self._left_over.take_answers(is_last_chance=True):
             self._answer(ending)
         self._send()
-
-
-def _now_ns() -> int:
-    return rospy.Time.now().to_nsec()

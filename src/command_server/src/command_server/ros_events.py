@@ -1,17 +1,22 @@
 """Events of the worker besides messages: texts and goals, cancelled goals, and the state of its brake."""
 
+import re
 import time
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import Any, Optional
 
 import actionlib
 import rospy
+from std_msgs.msg import String
 
 from command_server.beside_cries import words_not_done
 from roboframenet_ros.ros_robots import own_robot
 from robot_stop.braking import Finding
 from robot_stop.ros_brake import Braked
 from robot_stop.sentences import sentence_of, sentence_of_rest
+
+# The name that rosbag play gives itself.
+_PLAYER = re.compile(r"/play_\d+$")
 
 
 @dataclass(frozen=True)
@@ -24,6 +29,7 @@ class Said:
         handle: of the goal; None for a text
         delay_s: how long the goal of a fleet was on its way, by the clocks of both ends; 0 without a fleet
         arrival_s: monotonic seconds
+        is_played: whether it comes from a bag that is played, and not from a person
     """
 
     text: str
@@ -31,6 +37,7 @@ class Said:
     handle: Optional[actionlib.ServerGoalHandle] = None
     delay_s: float = 0.0
     arrival_s: float = field(default_factory=time.monotonic)
+    is_played: bool = False
 
 
 def said_by_goal(handle: actionlib.ServerGoalHandle) -> Said:
@@ -38,7 +45,17 @@ def said_by_goal(handle: actionlib.ServerGoalHandle) -> Said:
     now, sent = rospy.Time.now(), handle.get_goal_id().stamp
     # The clients of a single robot may have any clock.
     delay_s = (now - sent).to_sec() if sent and own_robot() else 0.0
-    return Said(handle.get_goal().text, now.to_nsec(), handle, delay_s)
+    return Said(handle.get_goal().text, now.to_nsec(), handle, delay_s, is_played=is_played(handle.goal))
+
+
+def said_by_text(message: String) -> Said:
+    """Return what a text says."""
+    return Said(message.data, rospy.Time.now().to_nsec(), is_played=is_played(message))
+
+
+def is_played(message: Any) -> bool:
+    """Whether a message comes from ``rosbag play``."""
+    return _PLAYER.search((getattr(message, "_connection_header", None) or {}).get("callerid", "")) is not None
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,17 @@
 """Standing orders that are due: commands that begin at the executor."""
 
-from typing import Callable
+from typing import Callable, Optional
 
 from roboframenet_msgs.msg import CommandPlan, OrderDue
 
-from command_server.open_commands import EXECUTOR_STAGE, Ending, OpenCommands, ending_of_cancelled, ending_of_missed
+from command_server.open_commands import (
+    EXECUTOR_STAGE,
+    CommandText,
+    Ending,
+    OpenCommands,
+    ending_of_cancelled,
+    ending_of_missed,
+)
 from command_server.ros_messages import command_to_message, due_from_message
 from roboframenet_ros.ros_hand_over import HandOver
 
@@ -13,14 +20,21 @@ class OrdersDue:
     """Opens the commands of standing orders."""
 
     def __init__(
-        self, commands: OpenCommands, command_plan: HandOver, *, on_not_begun: Callable[[Ending], None]
+        self,
+        commands: OpenCommands,
+        command_plan: HandOver,
+        refusal: Callable[[CommandText], Optional[Ending]],
+        *,
+        on_not_begun: Callable[[Ending], None],
     ) -> None:
         """
         Args:
             commands: that are open
             command_plan: the topic of the plans
-            on_not_begun: called with the ending of an order that was missed or stopped
+            refusal: returns how a command is refused now; None if it is not
+            on_not_begun: called with the ending of an order that was missed, stopped or refused
         """
+        self._refusal = refusal
         self._commands = commands
         self._command_plan = command_plan
         self._on_not_begun = on_not_begun
@@ -36,7 +50,10 @@ class OrdersDue:
         if self._commands.get(command.command_id) is not None:
             return
         self._commands.open(command, stage=EXECUTOR_STAGE)
-        if command.stamp_ns <= stop_stamp_ns:
+        refusal = self._refusal(command)
+        if refusal is not None:
+            self._on_not_begun(refusal)
+        elif command.stamp_ns <= stop_stamp_ns:
             self._on_not_begun(ending_of_cancelled(command))
         elif due.not_done:
             self._on_not_begun(ending_of_missed(command, due.not_done))

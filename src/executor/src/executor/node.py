@@ -3,7 +3,6 @@
 Callbacks only enqueue; one worker thread owns the commands. Each machine has a thread, and one waits for the next one.
 """
 
-import enum
 import queue
 import threading
 import time
@@ -23,7 +22,6 @@ from arbitrator.state_machine import plan_label
 from executor import command_queue, replies
 from executor.command_queue import Beginning, Cause, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.commander_watch import CommanderWatch
-from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
 from executor.ready_thread import ReadyThread
@@ -35,14 +33,16 @@ from executor.ros_master_watch import MasterWatch
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
 from executor.ros_tried_frames import tried_frame
+from executor.settings import OnMasterLost, Settings
 from roboframenet_ros.health import Health, Level
-from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
+from robot_stop.emergency import Emergency
+from robot_stop.ros_emergency import EmergencyWatch
 
 # The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
@@ -53,72 +53,6 @@ _EXPLANATION_S = 1.0
 _HIDDEN = Introspection(is_enabled=False)
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
-
-
-class OnMasterLost(enum.Enum):
-    """What becomes of a command when the master is gone; nothing else begins in any case."""
-
-    FINISH = "finish"
-    STOP = "stop"
-
-
-@dataclass(frozen=True)
-class Settings(Parameters):
-    """Private parameters, checked; times in seconds.
-
-    Attributes:
-        acceptance_timeout_s: for a server to connect, and for it to accept a goal
-        silence_timeout_s: between two messages of a server that has a goal
-        preempt_timeout_s: for a goal to end after the first cancel
-        cancel_period_s: between two cancels
-        result_timeout_s: for the result after a terminal status
-        suspicion_s: silence after which the process of a server is asked whether it lives
-        longest_goal_s: from the acceptance to the end of a goal
-        longest_command_s: for a command
-        longest_wait_s: for a condition, if nothing else was said
-        condition_silence_s: between two observations of a condition, unless its server states another time
-        longest_search_s: that a command may lose with servers that do not work
-        quarantine_s: for which a server that did not end a goal is not used; 0 for none
-        settings_timeout_s: for a node to be reconfigured
-        max_clients: connections to servers that are kept
-        on_master_lost: finish or stop: what becomes of what runs when the master is gone; nothing else begins
-        master_timeout_s: a master that hangs is gone after this time
-        introspection: publish the topics of smach_viewer
-
-    Raises:
-        ParameterError: a value out of its range
-    """
-
-    acceptance_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
-    silence_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
-    preempt_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
-    cancel_period_s: float = parameter(0.5, least=0.05, most=600.0)
-    result_timeout_s: float = parameter(2.0, least=0.05, most=600.0)
-    suspicion_s: float = parameter(1.0, least=0.05, most=600.0)
-    longest_goal_s: float = parameter(3600.0, least=0.05, most=1e6)
-    longest_command_s: float = parameter(7200.0, least=0.05, most=1e6)
-    longest_wait_s: float = parameter(3600.0, least=0.05, most=1e6)
-    condition_silence_s: float = parameter(3.0, least=0.05, most=600.0)
-    longest_search_s: float = parameter(30.0, least=0.05, most=1e6)
-    quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
-    settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
-    max_clients: int = parameter(32, least=1, most=1000)
-    on_master_lost: OnMasterLost = parameter(OnMasterLost.FINISH)
-    master_timeout_s: float = parameter(30.0, least=1.0, most=1e6)
-    introspection: bool = parameter(True)
-
-    @property
-    def deadlines(self) -> GoalDeadlines:
-        """The deadlines of each goal."""
-        return GoalDeadlines(
-            acceptance_s=self.acceptance_timeout_s,
-            silence_s=self.silence_timeout_s,
-            preempt_s=self.preempt_timeout_s,
-            cancel_period_s=self.cancel_period_s,
-            result_s=self.result_timeout_s,
-            suspicion_s=self.suspicion_s,
-            execution_s=self.longest_goal_s,
-        )
 
 
 @dataclass(frozen=True)
@@ -151,13 +85,14 @@ class _MasterLost:
     """The master is gone."""
 
 
-_Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, None]
+_Event = Union[CommandPlan, StopReport, Command, Emergency, _Note, _RunEnded, _MasterLost, None]
 
 
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``, ``command_server_started``.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``emergency_stop``, ``frame_servers``,
+    ``command_server_started``.
     Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
@@ -185,6 +120,7 @@ class ExecutorNode:
         self._unexplained: List[Tuple[float, _RunEnded]] = []
         self._next_event_s = 0.0
         self._inbox: queue.SimpleQueue[_Event] = queue.SimpleQueue()
+        self._emergency = EmergencyWatch(self._inbox.put)
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
@@ -251,11 +187,15 @@ class ExecutorNode:
         """Cancel everything when the command server is gone; one that is started again would only do the same."""
         if rospy.is_shutdown() or not self._commander.is_lost(newest_link(self._sign_of_commander) != ("", "")):
             return
-        orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
-        if orders:
+        if self._cancel_all():
             rospy.logwarn("who gave the commands is gone; they are cancelled")
+
+    def _cancel_all(self) -> int:
+        """Cancel everything; returns how many commands that are."""
+        orders = (*self._commands.waiting, *(one.order for one in self._commands.running))
         for order in orders:
             self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        return len(orders)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):
@@ -265,6 +205,10 @@ class ExecutorNode:
             self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec(), now_ns=now_ns))
         elif isinstance(event, Command):
             self._follow(command_queue.cancel(self._commands, event.id))
+        elif isinstance(event, Emergency):
+            if event.is_engaged:
+                # The report of the stop says the same, unless the stop server was killed before.
+                self._cancel_all()
         elif isinstance(event, _Note):
             order = self._order_of(event.run)
             if order is not None:
@@ -349,8 +293,10 @@ class ExecutorNode:
         """Keep the next queue, and take its actions."""
         self._commands, actions = step
         for action in actions:
-            if isinstance(action, Start) and self._master.is_lost:
-                self._end(action.order.job.command, replies.ending_without_master())
+            held = self._emergency.state.sentence
+            if isinstance(action, Start) and (held or self._master.is_lost):
+                ending = replies.ending_of_held(held) if held else replies.ending_without_master()
+                self._end(action.order.job.command, ending)
                 command_id = action.order.key.command_id
                 self._follow(command_queue.finish(self._commands, command_id, is_done=False))
             elif isinstance(action, Start):
@@ -411,8 +357,7 @@ class ExecutorNode:
 
     def _end_all(self) -> None:
         """Cancel everything before the node exits, so that the robot does not go on without it."""
-        for order in (*self._commands.waiting, *(one.order for one in self._commands.running)):
-            self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        self._cancel_all()
         self._pass_on_explained()
         # The end of each run comes through the inbox; its thread has deadlines for everything it waits for.
         end_s = time.monotonic() + self._settings.preempt_timeout_s + 1.0

@@ -10,6 +10,7 @@ from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, as_sentence, describe_failures
 from executor.run_record import NodeRecord
 from roboframenet_ros.spoken_text import join_with_and, with_capital
+from robot_stop.emergency import CODE as EMERGENCY_STOP
 
 
 class ReplyOutcome(enum.IntEnum):
@@ -17,6 +18,7 @@ class ReplyOutcome(enum.IntEnum):
 
     DONE = 0
     FAILED = 1
+    REFUSED = 2
     SUPERSEDED = 4
 
 
@@ -61,6 +63,11 @@ def ending_of_malformed(error: str) -> Ending:
 def ending_without_master() -> Ending:
     """Return the ending of a command that does not start because the master is gone."""
     return Ending(ReplyOutcome.FAILED, "MASTER_LOST", f"{_NO_MASTER}, so I begin nothing.")
+
+
+def ending_of_held(sentence: str) -> Ending:
+    """Return the ending of a command that does not start while the emergency stop holds, which a sentence says."""
+    return Ending(ReplyOutcome.REFUSED, EMERGENCY_STOP, sentence)
 
 
 def ending_of_run(

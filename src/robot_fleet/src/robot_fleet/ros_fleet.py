@@ -10,8 +10,10 @@ import rospy
 from roboframenet_msgs.msg import CommandStatus, Fleet, FleetMember, FleetRobot, FleetService, Lexicon, Reply, World
 from std_msgs.msg import String
 
+from command_server.emergency_words import NOT_A_PERSON, may_release
 from command_server.inbox import Inbox
 from command_server.ros_command_action import CommandActionServer
+from command_server.ros_events import is_played
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_kept_value import KeptValue
@@ -24,6 +26,7 @@ from robot_fleet.ros_robots import RobotLinks, ServiceWatch
 from robot_fleet.ros_utterances import Utterances
 from robot_fleet.roster import Roster
 from robot_fleet.settings import FleetSettings
+from robot_stop.emergency import CODE as EMERGENCY_STOP
 from semantic_frames import FileRefused, load_lexical_units
 
 _TURN_S = 0.1
@@ -38,6 +41,7 @@ class _Said:
     text: str
     command_id: str
     handle: "actionlib.ServerGoalHandle" = None
+    is_played: bool = False
 
 
 @dataclass(frozen=True)
@@ -98,7 +102,9 @@ class FleetNode:
         self._life = rospy.Publisher("fleet_service", FleetService, queue_size=5)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
         self._action = CommandActionServer(
-            on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, handle.get_goal_id().id, handle)),
+            on_goal=lambda handle: self._events.put(
+                _Said(handle.get_goal().text, handle.get_goal_id().id, handle, is_played(handle.goal))
+            ),
             on_cancel=lambda command_id: self._events.put(_Cancelled(command_id)),
         )
         self._worker = threading.Thread(target=self._work, name="fleet")
@@ -130,7 +136,7 @@ class FleetNode:
         self._utterances.close()
 
     def _hear_text(self, message: String) -> None:
-        self._events.put(_Said(message.data, self._text_ids.next_id()))
+        self._events.put(_Said(message.data, self._text_ids.next_id(), is_played=is_played(message)))
 
     def _hear_verbs(self, verbs: Set[str]) -> None:
         self._verbs = frozenset(verbs)
@@ -168,8 +174,12 @@ class FleetNode:
         if isinstance(event, _Said):
             if event.handle is not None:
                 self._action.accept(event.handle)
-            near = place_in(event.text, self._places)
-            self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
+            if event.is_played and may_release(event.text):
+                # The robots hear this node, and not the bag.
+                self._utterances.refuse(event.text, NOT_A_PERSON, code=EMERGENCY_STOP, command_id=event.command_id)
+            else:
+                near = place_in(event.text, self._places)
+                self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
             # Whatever ends this node from now on, it is answered.
             self._utterances.save()
             self._taken.tell(event.command_id, event.text)

@@ -130,6 +130,11 @@ class Utterances:
             return
         self._open(command, decided, now_s)
 
+    def refuse(self, text: str, sentence: str, *, code: str, command_id: str) -> None:
+        """Answer an utterance that is for nobody."""
+        command = Command(id=command_id, stamp=rospy.Time.now(), text=text)
+        self._reply(command, outcome=Reply.REFUSED, code=code, sentence=sentence)
+
     def _open(self, command: Command, decided: Addressed, now_s: float) -> None:
         rospy.loginfo("cmd=%s is for %s", command.id, "; ".join(", ".join(order.robots) for order in decided.orders))
         entry = _Entry(command, OpenUtterance(decided.orders, decided.remark))

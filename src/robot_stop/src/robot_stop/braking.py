@@ -14,6 +14,8 @@ from robot_stop.servers import Server, shown_names
 RACE_NS = 50_000_000
 #: The clock was set back, as simulators do, if it shows a time that is so much earlier than the stop.
 SET_BACK_NS = 200_000_000
+#: While an emergency stop holds, a node drives for this long after its last velocity, seconds.
+HELD_QUIET_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -277,6 +279,18 @@ def _is_new(goal: LiveGoal, stop: _Active) -> bool:
     is_later = goal.stamp_ns > stop.order.stamp_ns + RACE_NS
     is_of_new_clock = stop.is_of_old_clock and goal.stamp_ns < stop.order.stamp_ns - SET_BACK_NS
     return goal.goal_id not in stop.old_ids and (is_later or is_of_new_clock)
+
+
+def obedience_of_held(evidence: Evidence, *, now_s: float) -> Obedience:
+    """Return who acts against an emergency stop: every goal and every velocity does.
+
+    Args:
+        evidence: what is observed now
+        now_s: monotonic seconds
+    """
+    seen = {(one.node, one.topic) for one in evidence.velocities if now_s - one.heard_s < HELD_QUIET_S}
+    servers = shown_names(goal.server.name for goal in evidence.goals)
+    return Obedience(drivers=tuple(sorted(seen)), servers=tuple(sorted(servers)), is_known=evidence.is_complete)
 
 
 def was_set_back(order: StopOrder, now_ns: int) -> bool:

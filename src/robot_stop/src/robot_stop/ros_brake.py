@@ -10,12 +10,23 @@ import rospy
 from actionlib_msgs.msg import GoalID
 
 from roboframenet_ros.suspension import SuspensionWatch
-from robot_stop.braking import BrakeLimits, Braking, Evidence, Finding, StopOrder, was_set_back
+from robot_stop.braking import (
+    BrakeLimits,
+    Braking,
+    Evidence,
+    Finding,
+    Obedience,
+    StopOrder,
+    obedience_of_held,
+    was_set_back,
+)
 from robot_stop.ros_servers import Servers
 from robot_stop.ros_velocity import Velocities
 from robot_stop.settings import BrakeSettings
 
 _IDLE_WAIT_S = 0.5
+# While the robot is held, all goals are cancelled in this period; goals that are known to go on, in each turn.
+_HELD_CANCEL_PERIOD_S = 1.0
 # A turn of the thread takes a millisecond; a wait as long as this means that the process did not run.
 _LONGEST_TURN_S = _IDLE_WAIT_S + 1.0
 _JUST_AWAKE_S = 0.5
@@ -41,6 +52,11 @@ class Braked:
 @dataclass(frozen=True)
 class _Release:
     key: str
+
+
+@dataclass(frozen=True)
+class _Hold:
+    is_held: bool
 
 
 class Brake:
@@ -77,8 +93,13 @@ class Brake:
             refresh_period_s=settings.refresh_period_s,
             master_timeout_s=settings.master_timeout_s,
         )
-        self._inbox: queue.Queue[Union[StopOrder, _Release, None]] = queue.Queue()
+        self._inbox: queue.Queue[Union[StopOrder, _Release, _Hold, None]] = queue.Queue()
         self._thread = threading.Thread(target=self._work, name="brake")
+        # Replaced as a whole by the thread, read by any.
+        self._held_obedience = Obedience(is_known=False)
+        # Owned by the thread.
+        self._is_held = False
+        self._held_cancel_s = 0.0
 
     def start(self) -> None:
         """Start the threads."""
@@ -100,10 +121,27 @@ class Brake:
         """Drop a stop that another node carries out; returns at once."""
         self._inbox.put(_Release(key))
 
+    def hold(self, is_held: bool) -> None:
+        """Hold the robot from now on, or no more; returns at once.
+
+        While it is held, zero velocity is repeated, each velocity of another node is answered with zero, and all goals
+        are cancelled, whenever they were sent.
+        """
+        self._inbox.put(_Hold(is_held))
+
+    @property
+    def held_obedience(self) -> Obedience:
+        """Who would move the robot if it were held no more; any thread may ask."""
+        return self._held_obedience
+
+    @property
+    def _is_busy(self) -> bool:
+        return self._is_held or self._braking.is_busy
+
     def _work(self) -> None:
         next_look_s = 0.0
         while True:
-            wait_s = max(0.0, next_look_s - time.monotonic()) if self._braking.is_busy else _IDLE_WAIT_S
+            wait_s = max(0.0, next_look_s - time.monotonic()) if self._is_busy else _IDLE_WAIT_S
             try:
                 heard = self._inbox.get(timeout=wait_s)
             except queue.Empty:
@@ -114,15 +152,19 @@ class Brake:
             self._suspension.turn()
             try:
                 if isinstance(heard, StopOrder):
-                    if not self._braking.is_busy:
+                    if not self._is_busy:
                         next_look_s = time.monotonic() + self._period_s
                     self._begin(heard)
+                elif isinstance(heard, _Hold):
+                    if heard.is_held is not self._is_held:
+                        self._is_held, self._held_cancel_s = heard.is_held, 0.0
+                        self._held_obedience = Obedience(is_known=False)
                 elif isinstance(heard, _Release):
                     self._braking.release(heard.key)
-                if self._braking.is_busy and time.monotonic() >= next_look_s:
+                if self._is_busy and time.monotonic() >= next_look_s:
                     next_look_s = time.monotonic() + self._period_s
                     self._look()
-                elif not self._braking.is_busy:
+                elif not self._is_busy:
                     self._velocities.hold(False)
             except Exception as error:  # boundary: an error in one stop must not prevent the next one
                 rospy.logerr("the brake failed: %s: %s", type(error).__name__, error)
@@ -142,9 +184,13 @@ class Brake:
 
     def _look(self) -> None:
         now_ns = rospy.Time.now().to_nsec()
-        look = self._braking.look(self._evidence(), now_ns=now_ns)
-        self._velocities.hold(look.repeated is not None)
-        if look.repeated is not None:
+        evidence = self._evidence()
+        look = self._braking.look(evidence, now_ns=now_ns)
+        self._velocities.hold(self._is_held or look.repeated is not None)
+        if self._is_held:
+            self._held_obedience = obedience_of_held(evidence, now_s=time.monotonic())
+            self._repeat_held()
+        elif look.repeated is not None:
             self._repeat(look.repeated, now_ns)
         for finding in look.findings:
             self._on_finding(finding)
@@ -156,6 +202,15 @@ class Brake:
         # So would the stamp of a clock that was set back.
         if order.stamp_ns and not was_set_back(order, now_ns):
             self.servers.cancel(self._up_to(order), order)
+
+    def _repeat_held(self) -> None:
+        self._velocities.stop()
+        # The empty id cancels every goal, whatever clock its stamp comes from.
+        self.servers.cancel_live(GoalID())
+        if time.monotonic() >= self._held_cancel_s:
+            self._held_cancel_s = time.monotonic() + _HELD_CANCEL_PERIOD_S
+            # With a stamp, it also ends goals that are still on their way.
+            self.servers.cancel(GoalID(stamp=rospy.Time.now()), StopOrder(key="held", stamp_ns=0))
 
     def _evidence(self) -> Evidence:
         return Evidence(

@@ -129,6 +129,12 @@ class Servers:
             if order.covers(server) and connection.cancel(goal_id)
         )
 
+    def cancel_live(self, goal_id: GoalID) -> None:
+        """Publish one cancel to every server that has goals. For one thread."""
+        for connection in self._connections.values():
+            if connection.goals():
+                connection.cancel(goal_id)
+
     def goals(self) -> Tuple[LiveGoal, ...]:
         """The goals of all servers that had not ended in their last status. For one thread."""
         return tuple(goal for connection in self._connections.values() for goal in connection.goals())

@@ -22,6 +22,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import Empty, String
 
 from command_server.beside_cries import words_not_done
+from command_server.emergency_words import is_emergency_stop
 from command_server.ros_orders_back import OrdersTakenBack, may_be_order_taken_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
@@ -32,10 +33,11 @@ from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
-from robot_stop.sentences import REST_NOT_DONE, sentence_of, sentence_of_rest
+from robot_stop.sentences import REST_NOT_DONE, may_still_move, sentence_of, sentence_of_rest
 from robot_stop.settings import BrakeSettings
 from stop_server.heard_once import HeardOnce
 from stop_server.other_answers import OtherAnswers
+from stop_server.ros_emergency import EmergencyKeeper
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
 from stop_server.unheard_texts import UnheardTexts
 
@@ -52,7 +54,8 @@ _MOST_TOLD = 1000
 class _StopHeard:
     """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` for one that came as a frame.
 
-    `is_shared`: it was said to all robots of a fleet, and others reply to it.
+    `is_shared`: it was said to all robots of a fleet, and others reply to it. `is_emergency`: it engages the emergency
+    stop.
     """
 
     text: str
@@ -60,6 +63,7 @@ class _StopHeard:
     command_id: str = ""
     findings: "Optional[queue.Queue[Finding]]" = None
     is_shared: bool = False
+    is_emergency: bool = False
 
 
 @dataclass(frozen=True)
@@ -77,7 +81,7 @@ class StopServerNode:
     Subscribes: ``text``, ``command/goal``, ``cry_heard``, ``frame_servers``, ``reply``, ``status``, ``text_taken``,
     ``command_server_started``; for a robot of a fleet also ``fleet_text``, ``fleet_command/goal``, ``fleet``.
     Publishes: ``stop_report``, ``reply``, ``<server>/cancel`` of the action servers, zero velocity. Actions:
-    ``stopping``.
+    ``stopping``. And what an `EmergencyKeeper` does.
     """
 
     def __init__(self, settings: BrakeSettings) -> None:
@@ -95,6 +99,7 @@ class StopServerNode:
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
         self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
+        self._emergency = EmergencyKeeper(self._brake, on_engaged=self._hear_engaged)
         self._own_server = rospy.resolve_name(SERVER)
         self._frame = StoppingFrame(self._stop_for_frame)
 
@@ -102,6 +107,7 @@ class StopServerNode:
         """Subscribe."""
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
+        self._emergency.start()
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("status", CommandStatus, self._orders_back.hear_status),
@@ -131,6 +137,7 @@ class StopServerNode:
         self._frame.start()
 
     def _shutdown(self) -> None:
+        self._emergency.close(timeout_s=_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=_JOIN_TIMEOUT_S)
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
@@ -139,7 +146,7 @@ class StopServerNode:
             with self._lock:
                 is_new = self._heard_once.hears(text, is_goal=is_goal, command_id=command_id)
             if is_new:
-                self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
+                self._stop_said(text, stamp=rospy.Time.now(), command_id=command_id)
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text, stamp_ns=rospy.Time.now().to_nsec())
@@ -149,12 +156,13 @@ class StopServerNode:
         with self._lock:
             is_new = self._heard_once.is_told(command.text, is_goal=came_by_action(command.id), command_id=command.id)
         if is_new:
-            self._stop(_StopHeard(text=command.text, stamp=command.stamp, command_id=command.id))
+            self._stop_said(command.text, stamp=command.stamp, command_id=command.id)
 
     def _hear_shared(self, text: str) -> None:
         """Something was said to all robots: it may stop this one. Its reply is the business of others."""
         if stops(text, self._robot, self._names, is_taken_back=self._orders_back.is_meant):
-            self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), is_shared=True))
+            is_emergency = stops(text, self._robot, self._names, is_cry=is_emergency_stop)
+            self._stop(_StopHeard(text, stamp=rospy.Time.now(), is_shared=True, is_emergency=is_emergency))
 
     def _hear_fleet(self, fleet: Fleet) -> None:
         named: Dict[str, Sequence[str]] = {self._robot: ()}
@@ -191,11 +199,21 @@ class StopServerNode:
                 ),
             )
 
+    def _stop_said(self, text: str, *, stamp: rospy.Time, command_id: str) -> None:
+        self._stop(_StopHeard(text, stamp, command_id, is_emergency=is_emergency_stop(text)))
+
     def _stop(self, heard: _StopHeard, *, except_server: str = "") -> None:
         with self._lock:
             key = self._stop_ids.next_id()
             self._heard[key] = heard
         self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
+        if heard.is_emergency:
+            self._emergency.engage(f'"{heard.text.strip()}"')
+
+    def _hear_engaged(self, by: str) -> None:
+        """The emergency stop was engaged without an utterance: nobody waits for a reply."""
+        rospy.logwarn("the emergency stop was engaged: %s", by)
+        self._stop(_StopHeard(text="", stamp=rospy.Time.now(), is_shared=True))
 
     def _hear_reply(self, reply: Reply) -> None:
         if reply._connection_header["callerid"] == rospy.get_name():
@@ -250,22 +268,32 @@ class StopServerNode:
                 told.heard.findings.put(finding)
         elif not finding.is_first or not self._is_answered(told):
             report = self._report_of(told, finding=finding, sentence=sentence)
-            if finding.is_first and not told.heard.is_shared:
-                rest = sentence_of_rest(words_not_done(told.heard.text))
-                code = "NOT_STOPPED" if not finding.obedience.is_complete else REST_NOT_DONE if rest else "DONE"
-                report.reply = Reply(
-                    command=told.command,
-                    stage=STAGE,
-                    sentence=f"{sentence} {rest}".strip(),
-                    stamp=rospy.Time.now(),
-                    outcome=Reply.DONE if code == "DONE" else Reply.FAILED,
-                    code=code,
-                )
-            self._report.publish(report)
-            if finding.is_first and report.reply.command.id:
-                self._reply.publish(report.reply)
+            if not finding.is_first or told.heard.is_shared:
+                self._report.publish(report)
+            elif told.heard.is_emergency:
+                # It is written down before anybody may rely on it.
+                self._emergency.call_when_written(lambda: self._reply_to(told, finding, report))
+            else:
+                self._reply_to(told, finding, report)
         if not finding.is_first or not finding.obedience.is_complete:
             rospy.logwarn("%s", sentence)
+
+    def _reply_to(self, told: _Told, finding: Finding, report: StopReport) -> None:
+        """Publish the reply to a stop, with its report."""
+        rest = sentence_of_rest(words_not_done(told.heard.text))
+        code = "NOT_STOPPED" if not finding.obedience.is_complete else REST_NOT_DONE if rest else "DONE"
+        if told.heard.is_emergency and not self._emergency.is_written:
+            code = "STAGE_ERROR" if finding.obedience.is_complete else code
+        report.reply = Reply(
+            command=told.command,
+            stage=STAGE,
+            sentence=" ".join(filter(None, [report.sentence, self._emergency.sentence, rest])),
+            stamp=rospy.Time.now(),
+            outcome=Reply.DONE if code == "DONE" else Reply.FAILED,
+            code=code,
+        )
+        self._report.publish(report)
+        self._reply.publish(report.reply)
 
     def _report_of(self, told: _Told, *, finding: Optional[Finding] = None, sentence: str = "") -> StopReport:
         return StopReport(
@@ -277,6 +305,8 @@ class StopServerNode:
         )
 
     def _sentence_of(self, finding: Finding, *, server_count: int) -> str:
+        if self._emergency.state.is_engaged and not finding.obedience.is_complete:
+            return may_still_move(finding.obedience)
         return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
 
     def _is_answered(self, told: _Told) -> bool:

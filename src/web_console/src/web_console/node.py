@@ -11,6 +11,8 @@ from tornado.ioloop import IOLoop, PeriodicCallback
 from command_server.ros_settings import StopTargets
 from roboframenet_ros.command_ids import came_by_action
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from robot_stop.emergency import Emergency
+from robot_stop.ros_emergency import EmergencyWatch
 from robot_stop.settings import BrakeSettings
 from web_console.access import AccessError, check_access
 from web_console.board import Board
@@ -22,7 +24,7 @@ from web_console.ros_listener import Listener
 from web_console.ros_speaker import Speaker
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
-from web_console.views import AbilitiesView, HealthView, StopView
+from web_console.views import AbilitiesView, EmergencyView, HealthView, StopView
 
 #: Changes are gathered for this long, so that a page is not drawn anew for each of several messages about one thing.
 _GATHER_S = 0.015
@@ -36,7 +38,8 @@ _PORTS = 10
 class WebConsole:
     """Joins the subscribers, the views and the site. Its methods run in the thread of the event loop.
 
-    Publishes: what a `Speaker` does. Subscribes: what `Listener`, `GroundTap` and `KnowledgeTap` do.
+    Publishes: what a `Speaker` does. Subscribes: ``emergency_stop``, and what `Listener`, `GroundTap` and
+    `KnowledgeTap` do.
     """
 
     def __init__(self, settings: Settings, site_settings: SiteSettings, brake_settings: BrakeSettings) -> None:
@@ -60,6 +63,8 @@ class WebConsole:
             on_change=self._flush_soon,
             on_stop_report=self._on_stop_report,
         )
+        self._emergency = EmergencyWatch(lambda state: call_soon(self._on_emergency, state))
+        self._on_emergency(self._emergency.state)
         self._ground = GroundTap(
             self._board,
             path_topics=settings.path_topics,
@@ -139,7 +144,10 @@ class WebConsole:
         elif isinstance(request, Cancel):
             self._speaker.cancel(request.command_id)
         else:
-            self._speaker.stop()
+            self._speaker.stop(stays=request.stays)
+
+    def _on_emergency(self, state: Emergency) -> None:
+        self._show("emergency", EmergencyView(state.is_engaged, state.sentence))
 
     def _on_stop(self, stop: StopView) -> None:
         self._show("stop", stop)

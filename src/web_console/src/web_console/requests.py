@@ -1,4 +1,4 @@
-"""What a page may ask for: three verbs, and nothing else."""
+"""What a page may ask for: four verbs, and nothing else."""
 
 import json
 from dataclasses import dataclass
@@ -25,7 +25,13 @@ class Cancel:
 
 @dataclass(frozen=True)
 class Stop:
-    """Stop the robot."""
+    """Stop the robot.
+
+    Attributes:
+        stays: whether it is the emergency stop, which holds until a person releases it
+    """
+
+    stays: bool = False
 
 
 Request = Union[Say, Cancel, Stop]
@@ -43,7 +49,7 @@ def read_request(message: object, *, longest_text: int) -> Request:
         longest_text: how many characters a sentence may have
 
     Raises:
-        BadRequest: it is none of the three verbs with its argument; for a person
+        BadRequest: it is none of the four verbs with its argument; for a person
     """
     if not isinstance(message, str) or len(message) > LONGEST_MESSAGE:
         raise BadRequest("This is no request.")
@@ -54,8 +60,8 @@ def read_request(message: object, *, longest_text: int) -> Request:
     if not isinstance(said, dict):
         raise BadRequest("This is no request.")
     verb = said.get("verb")
-    if verb == "stop" and set(said) == {"verb"}:
-        return Stop()
+    if verb in ("stop", "emergency_stop") and set(said) == {"verb"}:
+        return Stop(stays=verb == "emergency_stop")
     if verb == "say" and set(said) == {"verb", "text"} and isinstance(said["text"], str):
         text = " ".join("".join(sign if sign.isprintable() else " " for sign in said["text"]).split())
         if not text:

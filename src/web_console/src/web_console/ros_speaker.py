@@ -9,6 +9,7 @@ from actionlib_msgs.msg import GoalID
 from roboframenet_msgs.msg import ExecuteCommandActionGoal, ExecuteCommandGoal, StopReport
 from std_msgs.msg import String
 
+from command_server.emergency_words import is_emergency_stop
 from command_server.stop_words import is_stop
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -29,7 +30,8 @@ Later = Callable[[float, Callable[[], None]], None]
 class Speaker:
     """Publishes what pages ask for. All methods are for the thread of the event loop.
 
-    Publishes: ``command/goal``, ``command/cancel``, ``text`` (only "Stop."), and what a `Brake` does.
+    Publishes: ``command/goal``, ``command/cancel``, ``text`` (only "Stop." and "Emergency stop."), and what a `Brake`
+    does.
     """
 
     def __init__(
@@ -54,7 +56,7 @@ class Speaker:
         self._tag = f"{_PREFIX}-{uuid.uuid4().hex[:8]}"
         self._count = 0
         self._stop = StopView()
-        self._is_answered = True
+        self._is_answered, self._stays = True, False
         self._goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=100)
         self._cancel = rospy.Publisher("command/cancel", GoalID, queue_size=100)
         self._text = rospy.Publisher("text", String, queue_size=100, tcp_nodelay=True)
@@ -75,7 +77,7 @@ class Speaker:
     def say(self, text: str) -> str:
         """Say a sentence; returns the id of the command, empty when nobody listens."""
         if is_stop(text):
-            self._watch_stop()
+            self._watch_stop(stays=is_emergency_stop(text))
         if self._goal.get_num_connections() == 0:
             return ""
         self._count += 1
@@ -90,13 +92,17 @@ class Speaker:
         """Cancel a command."""
         self._cancel.publish(GoalID(id=command_id))
 
-    def stop(self) -> None:
-        """Stop the robot: by the stop server, by the command server, or else by the brake of this node."""
-        self._text.publish(String(data="Stop."))
-        self._watch_stop()
+    def stop(self, *, stays: bool) -> None:
+        """Stop the robot: by the stop server, by the command server, or else by the brake of this node.
 
-    def _watch_stop(self) -> None:
-        self._is_answered = False
+        Args:
+            stays: whether the stop is to hold; the brake of this node cannot do that
+        """
+        self._text.publish(String(data="Emergency stop." if stays else "Stop."))
+        self._watch_stop(stays=stays)
+
+    def _watch_stop(self, *, stays: bool) -> None:
+        self._is_answered, self._stays = False, stays
         self._tell(StopView(self._stop.number + 1, "sent", "Stopping ..."))
         number = self._stop.number
         # With nobody there, there is nothing to wait for.
@@ -133,6 +139,8 @@ class Speaker:
             sentence = sentence_of(finding, server_count=1, limit_s=self._settings.zero_velocity_limit_s)
             if finding.obedience.is_complete:
                 sentence = "Stopped: zero velocity, and no goal is left."
+            if self._stays:
+                sentence += " The emergency stop is not engaged: nobody holds the robot."
             self._tell(
                 StopView(self._stop.number, state, f"{sentence} stop_server did not answer; this page did it itself.")
             )

@@ -232,6 +232,19 @@ class StatusView:
 
 
 @dataclass(frozen=True)
+class EmergencyView:
+    """Whether the emergency stop holds.
+
+    Attributes:
+        is_engaged: whether it does
+        sentence: since when, why, and how to release it; empty when it does not
+    """
+
+    is_engaged: bool = False
+    sentence: str = ""
+
+
+@dataclass(frozen=True)
 class StopView:
     """The last stop that was asked for by a page.
 

@@ -1,4 +1,4 @@
-"""A page can do three things, and nothing else."""
+"""A page can do four things, and nothing else."""
 
 import json
 
@@ -13,10 +13,11 @@ def read(**said):
     return read_request(json.dumps(said), longest_text=20)
 
 
-def test_three_verbs():
+def test_four_verbs():
     assert read(verb="say", text="Ping.") == Say("Ping.")
     assert read(verb="cancel", id="console-1") == Cancel("console-1")
     assert read(verb="stop") == Stop()
+    assert read(verb="emergency_stop") == Stop(stays=True)
 
 
 @pytest.mark.parametrize(
@@ -37,6 +38,8 @@ def test_three_verbs():
         '{"verb": "cancel", "id": ""}',
         '{"verb": "cancel", "id": null}',
         '{"verb": ["stop"]}',
+        '{"verb": "emergency_stop", "release": true}',
+        '{"verb": "release"}',
         '{"op": "call_service", "service": "/rosapi/get_param"}',
     ],
 )

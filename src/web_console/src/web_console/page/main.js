@@ -13,7 +13,7 @@ const commands = new Map();
 let selected = "";
 let socket = null;
 let wait = 200;
-let pendingStop = 0;
+let pendingStop = null;
 let status = { sentence: "", active: [] };
 let stop = { number: 0, state: "", sentence: "" };
 
@@ -84,6 +84,7 @@ const views = {
   pose: (view) => ground.move(view),
   ground: (view) => ground.surround(view),
   stop: showStop,
+  emergency: showEmergency,
   notice: (view) => say(view.text, "bad"),
   unheard(view) { if (view) say(`Nobody heard "${view}": command_server is not there. Is the pipeline up?`, "bad"); },
 };
@@ -98,8 +99,8 @@ function connect() {
     // What was open when the connection was lost is told anew, or has been lost with the server.
     for (const [id, view] of commands) if (!view.reply) commands.delete(id);
     say("", "plain");
-    if (pendingStop && Date.now() - pendingStop < KEEP_STOP_MS) ask({ verb: "stop" });
-    pendingStop = 0;
+    if (pendingStop && Date.now() - pendingStop.since < KEEP_STOP_MS) ask({ verb: pendingStop.verb });
+    pendingStop = null;
     showState();
   });
   socket.addEventListener("message", (event) => {
@@ -114,13 +115,22 @@ function connect() {
   });
 }
 
-function stopRobot() {
-  if (ask({ verb: "stop" })) return;
-  pendingStop = Date.now();
+function stopRobot(verb = "stop") {
+  if (ask({ verb })) return;
+  pendingStop = { verb, since: Date.now() };
   say("Not sent: there is no connection. Use the emergency stop of the robot.", "bad");
 }
 
-byId("stop").addEventListener("click", stopRobot);
+function showEmergency(view) {
+  byId("held").hidden = !view.is_engaged;
+  byId("held-text").textContent = view.sentence;
+}
+
+byId("stop").addEventListener("click", () => stopRobot());
+byId("emergency").addEventListener("click", () => stopRobot("emergency_stop"));
+byId("release").addEventListener("click", () => {
+  if (confirm("The robot may move again. Is everybody clear of it?")) ask({ verb: "say", text: "Release the emergency stop." });
+});
 document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") stopRobot();
   else if (event.key === "/" && !/^(INPUT|TEXTAREA)$/.test(document.activeElement.tagName)) {
