@@ -80,7 +80,7 @@ class Settings(Parameters):
         longest_search_s: that a command may lose with servers that do not work
         quarantine_s: for which a server that did not end a goal is not used; 0 for none
         settings_timeout_s: for a node to be reconfigured
-        max_clients: connections to servers that are kept
+        max_clients: connections to servers that are kept, and made beforehand
         on_master_lost: finish or stop: what becomes of what runs when the master is gone; nothing else begins
         master_timeout_s: a master that hangs is gone after this time
         introspection: publish the topics of smach_viewer
@@ -102,7 +102,7 @@ class Settings(Parameters):
     longest_search_s: float = parameter(30.0, least=0.05, most=1e6)
     quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
-    max_clients: int = parameter(32, least=1, most=1000)
+    max_clients: int = parameter(64, least=1, most=1000)
     on_master_lost: OnMasterLost = parameter(OnMasterLost.FINISH)
     master_timeout_s: float = parameter(30.0, least=1.0, most=1e6)
     introspection: bool = parameter(True)
@@ -168,12 +168,12 @@ class ExecutorNode:
             private: prefix of its private names
         """
         self._settings = settings
-        self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = DriverSettings(
             timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
         )
+        self._clients = ActionClients(max_kept=settings.max_clients, prepare=self._server_settings.prepare)
         self._running_goals = RunningGoals(private + "running_goals")
-        self._profiles = ServerProfiles(self._clients.close_gone, default_silence_s=settings.condition_silence_s)
+        self._profiles = ServerProfiles(self._clients.hear_living, default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
         self._introspection = Introspection(is_enabled=settings.introspection)
