@@ -40,6 +40,7 @@ from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
@@ -157,7 +158,8 @@ _Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, 
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``, ``command_server_started``.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``, ``command_server_started``,
+    ``status``.
     Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
@@ -188,6 +190,7 @@ class ExecutorNode:
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
+        self._replays = ReplayWatch(self._stage)
         self._worker = threading.Thread(target=self._work, name="executor_worker")
         self._commander = CommanderWatch()
         # Of all that the command server publishes, this tells the least; nobody else publishes it.
@@ -200,6 +203,7 @@ class ExecutorNode:
         self._server_settings.start()
         self._worker.start()
         self._profiles.start()
+        self._replays.start()
         self._master.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
@@ -280,6 +284,8 @@ class ExecutorNode:
                 run.end_without_master(at_once=self._settings.on_master_lost is OnMasterLost.STOP)
 
     def _hear_plan(self, message: CommandPlan) -> None:
+        if message.command.id not in self._commands.cancelled_ids and self._replays.refuses(message.command):
+            return
         try:
             plan = plan_from_message(message.plan)
         except ValueError as error:

@@ -70,8 +70,12 @@ class DeadListenerTest(unittest.TestCase):
             wait_until(lambda: bool(self.starts), message="the command server does not come back")
             time.sleep(ANSWERED_S)
             with self.subTest(delay_s=delay_s):
-                told = [(reply.stage, reply.code) for reply in self.replies if reply.command.text == text]
-                self.assertEqual(["RESTARTED"], [code for _, code in told], told)
+                told = [
+                    (reply.stage, reply.code, reply.stamp.to_sec())
+                    for reply in self.replies
+                    if reply.command.text == text
+                ]
+                self.assertEqual(["RESTARTED"], [code for _, code, _ in told], told)
         self.assertIn("/killed_listener", self.known_listeners())
         counts = collections.Counter(reply.command.id for reply in self.replies)
         self.assertEqual({1}, set(counts.values()))
