@@ -14,7 +14,9 @@ from typed_arguments import FilledFrame
 class ServerProfiles:
     """Keeps from the latched topic what the executor needs to know of servers; any thread may ask."""
 
-    def __init__(self, on_change: Callable[[FrozenSet[str]], None], *, default_silence_s: float) -> None:
+    def __init__(
+        self, on_change: Callable[[FrozenSet[str]], None] = lambda _: None, *, default_silence_s: float
+    ) -> None:
         """
         Args:
             on_change: called with the servers that live, from a thread of rospy, when a server was added or is gone
