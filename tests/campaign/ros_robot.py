@@ -16,6 +16,8 @@ import psutil
 
 from roboframenet_testing import comes_true, wait_until
 
+from .reply_counts import count_replies
+
 #: Nodes of the pipeline, in the order of the stages, and those of the robot.
 STAGES = (
     "command_server",
@@ -55,6 +57,7 @@ class Robot:
         self._lock = threading.Lock()
         self._replies: List[Tuple[float, Any]] = []
         self._counts: Counter = Counter()
+        self._said: Counter = Counter()
         #: When each command was heard that went to the parser, by its id.
         self._heard_s: Dict[str, float] = {}
         self.zero_s: List[float] = []
@@ -98,6 +101,7 @@ class Robot:
         with self._lock:
             self._replies.clear()
             self._counts.clear()
+            self._said.clear()
         for times in (self.zero_s, self.cancel_s, self.turn_goal_s):
             times.clear()
 
@@ -131,6 +135,8 @@ class Robot:
     def say(self, text: str) -> float:
         """Publish a text; returns when."""
         now_s = time.monotonic()
+        with self._lock:
+            self._said[text] += 1
         self._text.publish(self._string(data=text))
         return now_s
 
@@ -170,6 +176,15 @@ class Robot:
         """Number of commands that got more than one reply."""
         with self._lock:
             return sum(count > 1 for count in self._counts.values())
+
+    def counts(self) -> Tuple[int, int]:
+        """Return how many texts have no reply since `forget`, and how many replies there are beyond one for each."""
+        with self._lock:
+            return count_replies(self._said, [(reply.command.text, reply.command.id) for _, reply in self._replies])
+
+    def is_all_answered(self) -> bool:
+        """Whether each text that was said since `forget` has a reply of its own."""
+        return self.counts()[0] == 0
 
     def drive(self) -> None:
         """Begin to drive a long way; returns when the robot moves."""

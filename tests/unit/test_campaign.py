@@ -4,7 +4,7 @@ import random
 import sys
 import time
 from pathlib import Path
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, List, Sequence, Tuple
 
 import pytest
 
@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from campaign import __main__ as program
 from campaign.demand import Demand, Figure, Trial, at_most, chance_of, none_of, quantile
 from campaign.demands import DEMANDS
+from campaign.reply_counts import count_replies
 from campaign.suite import mutant
 from campaign.table import TrialFile, figures_of, markdown
 from campaign.words import malformed, odd_text
@@ -120,3 +121,18 @@ def test_tests_begin_behind_what_is_measured_without_them(monkeypatch: pytest.Mo
         program.run([DEMANDS[name] for name in names], "short", 7, tmp_path, tmp_path)
         assert sorted(ended) == sorted(names)
         assert "R4" not in names or ended[0] == "R4"
+
+
+@pytest.mark.parametrize(
+    ("replies", "counts"),
+    [
+        ([("Ping.", "1"), ("Ping.", "2"), ("Halt.", "3")], (0, 0)),
+        ([("Ping.", "1"), ("Halt.", "3")], (1, 0)),
+        ([("Ping.", "1"), ("Ping.", "1"), ("Halt.", "3")], (1, 1)),
+        ([("Ping.", "1"), ("Ping.", "2"), ("Halt.", "3"), ("Halt.", "4")], (0, 1)),
+        ([("Ping.", "1"), ("Ping.", "2"), ("Ping.", "2"), ("Halt.", "3")], (0, 1)),
+        ([("Go.", "5")], (3, 1)),
+    ],
+)
+def test_replies_are_counted_by_text_and_id(replies: List[Tuple[str, str]], counts: Tuple[int, int]) -> None:
+    assert count_replies({"Ping.": 2, "Halt.": 1}, replies) == counts

@@ -40,6 +40,7 @@ from command_server.ros_messages import ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_orders_back import takes_back
 from command_server.ros_orders_due import OrdersDue
+from command_server.ros_replayed import Replayed
 from command_server.ros_replies import Replies
 from command_server.ros_stops_in_place import StopsInPlace
 from command_server.ros_texts_out import TextsOut
@@ -48,7 +49,10 @@ from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health
+from roboframenet_ros.replays import OLDEST_NS
 from roboframenet_ros.ros_hand_over import HandOver
+from roboframenet_ros.ros_replays import REPLAYED
+from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.emergency import CODE as EMERGENCY_STOP
@@ -106,6 +110,7 @@ class CommandServerNode:
         self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
         self._cancels = CancelTopic()
         self._replies = Replies()
+        self._replayed = Replayed(self._replies)
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
         self._emergency = gate = EmergencyGate(self._brake, on_released=self._events.put)
         self._orders_due = OrdersDue(self._commands, command_plan, gate.refusal, on_not_begun=self._conclude)
@@ -212,7 +217,7 @@ class CommandServerNode:
             self._hear_stage(event)
         elif isinstance(event, StopReport):
             self._hear_stop_report(event)
-        elif isinstance(event, OrderDue):
+        elif isinstance(event, OrderDue) and not self._replayed.refuses_order(event):
             self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
@@ -224,6 +229,10 @@ class CommandServerNode:
             self._hear_finding(event)
 
     def _hear(self, said: Said) -> None:
+        cry = find_cry(said.text)
+        # A stop is a stop, whoever repeats it.
+        if said.handle is not None and cry is None and self._replayed.refuses_goal(said.handle):
+            return
         self._last_stamp_ns = stamp_after(said.arrival_ns, self._last_stamp_ns)
         if said.handle is not None:
             command_id = said.handle.get_goal_id().id
@@ -232,13 +241,13 @@ class CommandServerNode:
             command_id = self._text_ids.next_id()
             self._replies.note_taken(said.text)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
-            said.delay_s, longest_s=self._settings.longest_delay_s
+            said.delay_s, longest_s=self._settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
         )
         text = said.text[: self._settings.max_text_length]
         command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
         self._replies.note_heard(command)
-        cry = find_cry(said.text)
-        is_order_meant = takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands)
+        is_free = not self._commands.open_commands
+        is_order_meant = refusal is None and takes_back(said.text, self._replies.last_reply, is_free=is_free)
         if refusal is None and is_release(said.text):
             self._commands.open(command)
             self._commands.extend(command.command_id, timeout_s=RELEASE_TIMEOUT_S)
@@ -340,6 +349,9 @@ class CommandServerNode:
         self._texts.drop(event.command.id)
         entry = self._commands.get(event.command.id)
         is_done = event.is_final and event.reply.outcome == Reply.DONE
+        if entry is None and event.is_final and event.reply.code == REPLAYED:
+            self._replies.tell(ending_of_event(event))
+            return
         if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):
             rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
             return

@@ -10,7 +10,6 @@ import rospy
 from std_msgs.msg import String
 
 from command_server.beside_cries import words_not_done
-from roboframenet_ros.ros_robots import own_robot
 from robot_stop.braking import Finding
 from robot_stop.ros_brake import Braked
 from robot_stop.sentences import sentence_of, sentence_of_rest
@@ -27,7 +26,7 @@ class Said:
         text: as it was said
         arrival_ns: nanoseconds of ROS time
         handle: of the goal; None for a text
-        delay_s: how long the goal of a fleet was on its way, by the clocks of both ends; 0 without a fleet
+        delay_s: how long the goal was on its way, by the clocks of both ends; 0 for one without a stamp
         arrival_s: monotonic seconds
         is_played: whether it comes from a bag that is played, and not from a person
     """
@@ -43,8 +42,7 @@ class Said:
 def said_by_goal(handle: actionlib.ServerGoalHandle) -> Said:
     """Return what a goal says."""
     now, sent = rospy.Time.now(), handle.get_goal_id().stamp
-    # The clients of a single robot may have any clock.
-    delay_s = (now - sent).to_sec() if sent and own_robot() else 0.0
+    delay_s = (now - sent).to_sec() if sent else 0.0
     return Said(handle.get_goal().text, now.to_nsec(), handle, delay_s, is_played=is_played(handle.goal))
 
 

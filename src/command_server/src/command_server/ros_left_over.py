@@ -7,11 +7,10 @@ from typing import Deque, List, Tuple
 import rospy
 
 from command_server.open_commands import CommandText, Ending
-from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_ros.ros_listeners import has_every_listener
 
-# How long replies wait for subscribers to connect.
-_LISTENER_TIMEOUT_S = 10.0
-_MASTER_TIMEOUT_S = 1.0
+# How long replies wait for subscribers to connect. The stop server replies in place of this node after six seconds.
+_LISTENER_TIMEOUT_S = 3.0
 # How long the executor may take to connect, and then to end its command, before this node stops the robot.
 _EXECUTOR_CONNECT_S = 1.5
 _EXECUTOR_CANCEL_S = 0.3
@@ -66,19 +65,9 @@ class LeftOver:
     def take_answers(self, *, is_last_chance: bool = False) -> List[Ending]:
         """Remove and return the replies that can be published now."""
         if not self._held or not (
-            is_last_chance or time.monotonic() >= self._listener_end_s or self._has_every_listener()
+            is_last_chance or time.monotonic() >= self._listener_end_s or has_every_listener(self._reply)
         ):
             return []
         answers = list(self._held)
         self._held.clear()
         return answers
-
-    def _has_every_listener(self) -> bool:
-        """Whether all subscribers that the master knows are connected; with none, they have not started yet."""
-        try:
-            state = TimedMaster(timeout_s=_MASTER_TIMEOUT_S).system_state()
-        except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-            rospy.logdebug("the subscribers of replies are not known: %s", error)
-            return False
-        listeners = state.subscribers.get(self._reply.resolved_name, ())
-        return 0 < len(listeners) <= self._reply.get_num_connections()

@@ -73,6 +73,11 @@ class Replies:
         self._tell_within(0.0)
         return reply
 
+    def tell(self, ending: Ending) -> None:
+        """Tell why something was refused that is no command of anybody; it is not the last reply."""
+        rospy.logwarn("%r: %s", ending.command.text, ending.reply)
+        self.publisher.publish(ending_to_message(ending))
+
     def note(self, sentence: str) -> None:
         """Set the sentence of the next status: what the robot is doing."""
         self._sentence = one_line(sentence)

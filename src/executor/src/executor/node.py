@@ -38,6 +38,7 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
@@ -92,7 +93,7 @@ class ExecutorNode:
     """Carries out plans.
 
     Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``emergency_stop``, ``frame_servers``,
-    ``command_server_started``.
+    ``command_server_started``, ``status``.
     Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
@@ -103,12 +104,12 @@ class ExecutorNode:
             private: prefix of its private names
         """
         self._settings = settings
-        self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = DriverSettings(
             timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
         )
+        self._clients = ActionClients(max_kept=settings.max_clients, prepare=self._server_settings.prepare)
         self._running_goals = RunningGoals(private + "running_goals")
-        self._profiles = ServerProfiles(self._clients.close_gone, default_silence_s=settings.condition_silence_s)
+        self._profiles = ServerProfiles(self._clients.hear_living, default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
         self._introspection = Introspection(is_enabled=settings.introspection)
@@ -124,6 +125,7 @@ class ExecutorNode:
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
+        self._replays = ReplayWatch(self._stage)
         self._worker = threading.Thread(target=self._work, name="executor_worker")
         self._commander = CommanderWatch()
         # Of all that the command server publishes, this tells the least; nobody else publishes it.
@@ -136,6 +138,7 @@ class ExecutorNode:
         self._server_settings.start()
         self._worker.start()
         self._profiles.start()
+        self._replays.start()
         self._master.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
@@ -224,6 +227,8 @@ class ExecutorNode:
                 run.end_without_master(at_once=self._settings.on_master_lost is OnMasterLost.STOP)
 
     def _hear_plan(self, message: CommandPlan) -> None:
+        if message.command.id not in self._commands.cancelled_ids and self._replays.refuses(message.command):
+            return
         try:
             plan = plan_from_message(message.plan)
         except ValueError as error:

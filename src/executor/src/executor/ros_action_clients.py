@@ -1,29 +1,51 @@
 """Connections to action servers, kept for the next goal."""
 
 import threading
+import time
 from collections import Counter, OrderedDict
-from typing import List, Optional
+from typing import AbstractSet, Callable, FrozenSet, List, Optional, Set
 
+import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameAction
 
+from executor.ros_absent_servers import AbsentServers
 from roboframenet_ros.deadline import NoAnswer, within
 from roboframenet_ros.ros_action_connection import ActionConnection
+from roboframenet_ros.suspension import SuspensionWatch
+
+#: Between two looks at a server that is connected beforehand, seconds, and how many there are: a graph that starts has
+#: more to do.
+_PAUSE_S, _LOOKS = 0.05, 10
+#: A longer turn of a wait means that this process did not run, seconds.
+_LONGEST_TURN_S = 0.5
 
 
 class ActionClients:
-    """Keeps the connections that were used last, by name of the server."""
+    """Keeps connections to servers, by name of the server: those that were used last, and those made beforehand.
 
-    def __init__(self, *, max_kept: int) -> None:
+    A new connection needs the master, which may hang when a command comes.
+
+    Attributes:
+        absent: which servers are missing
+    """
+
+    def __init__(self, *, max_kept: int, prepare: Callable[[str], object] = lambda _: None) -> None:
         """Start with none.
 
         Args:
             max_kept: how many connections stay when no goal uses them
+            prepare: called with each server that is connected beforehand, for all else that its goals ask the master
         """
+        self._prepare_server = prepare
+        self.absent = AbsentServers()
         self._max_kept = max_kept
         self._lock = threading.Lock()
         self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
         # How many goals use each connection; those are not closed.
         self._users: Counter[str] = Counter()
+        # Servers that are still to be connected beforehand.
+        self._wanted: Set[str] = set()
+        self._is_preparing = False
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
         """Return the connection to a server; connects if necessary. It stays open until `release`.
@@ -35,46 +57,123 @@ class ActionClients:
             ValueError: the name cannot be that of an action server
         """
         with self._lock:
+            # Also while it is being made: a connection that comes late is kept, and not one more for each goal.
+            self._users[server] += 1
             known = self._connections.get(server)
             if known is not None:
                 self._connections.move_to_end(server)
-                self._users[server] += 1
                 return known
         try:
-            made = within(
-                timeout_s, lambda: ActionConnection(server, FilledSemanticFrameAction), name=f"connect_{server}"
-            )
+            return within(timeout_s, lambda: self._connect(server), name=f"connect_{server}")
         except NoAnswer:
+            self.release(server)
             return None
         except Exception as error:  # boundary: the master or the name may be at fault in many ways
+            self.release(server)
             raise ValueError(str(error)) from error
+
+    def _connect(self, server: str) -> ActionConnection:
+        """Connect to a server, however long the master takes; another thread may have done so meanwhile."""
+        made = ActionConnection(server, FilledSemanticFrameAction)
         with self._lock:
-            # A branch of the plan that runs at the same time may have connected meanwhile.
             used = self._connections.setdefault(server, made)
-            self._users[server] += 1
             dropped = self._take_unused() + ([] if used is made else [made])
         self._close_later(dropped)
         return used
 
     def release(self, server: str) -> None:
-        """A goal does not use the connection to a server any more."""
+        """A goal does not use the connection to a server any more; that to one that is missing is closed."""
         with self._lock:
             self._users[server] -= 1
             if self._users[server] <= 0:
                 del self._users[server]
             dropped = self._take_unused()
+            if server not in self._users and server in self._connections and self.absent.is_missing(server):
+                dropped.append(self._connections.pop(server))
         self._close_later(dropped)
 
-    def close_gone(self) -> None:
-        """Disconnect from servers that are gone and that no goal uses; returns at once."""
+    def wait_until_ready(
+        self,
+        connection: ActionConnection,
+        *,
+        timeout_s: float,
+        pause: Callable[[], object],
+        is_over: Callable[[], bool],
+    ) -> str:
+        """Wait until a server is connected; one that is missing is waited for once, and not with each goal.
+
+        Args:
+            connection: to the server
+            timeout_s: how long to wait
+            pause: sleeps for a moment
+            is_over: whether nobody waits any more
+        Returns:
+            why it is not connected, a clause that follows its name; empty when it is, and when the wait is over
+        """
+        if not connection.is_ready():
+            left_s = self.absent.left_s(connection.server, timeout_s)
+            end_s = time.monotonic() + left_s
+            suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
+            while not connection.is_ready():
+                end_s += suspension.turn()
+                if is_over():
+                    return ""
+                if time.monotonic() >= end_s:
+                    self.absent.hear_vain(connection.server)
+                    return "is not running" + (f": no answer within {timeout_s:g} s" if left_s else "")
+                pause()
+        self.absent.hear_connected([connection.server])
+        return ""
+
+    def missing(self, servers: AbstractSet[str]) -> FrozenSet[str]:
+        """Return those of some servers that are not connected, and missing."""
+        with self._lock:
+            known = {server: self._connections.get(server) for server in servers}
+        connected = frozenset(server for server, one in known.items() if one is not None and one.is_ready())
+        self.absent.hear_connected(connected)
+        return self.absent.look(servers - connected)
+
+    def hear_living(self, servers: FrozenSet[str]) -> None:
+        """The registrar tells who lives: connect to them, and disconnect from those that are gone; returns at once.
+
+        What a goal uses is not closed. Not more connections are made beforehand than are kept.
+        """
+        self.absent.hear_living(servers)
         with self._lock:
             gone = [
                 server
                 for server, connection in self._connections.items()
-                if server not in self._users and not connection.is_ready()
+                if server not in servers and server not in self._users and not connection.is_ready()
             ]
             dropped = [self._connections.pop(server) for server in gone]
+            self._wanted = set(servers)
+            is_idle, self._is_preparing = not self._is_preparing, True
         self._close_later(dropped)
+        if is_idle:
+            threading.Thread(target=self._prepare, name="prepare_connections", daemon=True).start()
+
+    def _prepare(self) -> None:
+        """Connect to those that are wanted, one after the other."""
+        while True:
+            with self._lock:
+                wanted = sorted(self._wanted.difference(self._connections))
+                if not wanted or len(self._connections) >= self._max_kept:
+                    self._is_preparing = False
+                    return
+                server = wanted[0]
+                self._wanted.discard(server)
+                self._users[server] += 1
+            try:
+                made = self._connect(server)
+                self._prepare_server(server)
+                for _ in range(_LOOKS):
+                    time.sleep(_PAUSE_S)
+                    if made.is_ready():
+                        break
+            except Exception as error:  # boundary: as in `get`; a goal for that server says why
+                rospy.logdebug("%s cannot be connected beforehand: %s", server, error)
+            finally:
+                self.release(server)
 
     def _take_unused(self) -> List[ActionConnection]:
         """With the lock held: take out the connections that were used longest ago, down to as many as are kept."""
@@ -92,6 +191,7 @@ class ActionClients:
         with self._lock:
             connections = list(self._connections.values())
             self._connections.clear()
+            self._wanted.clear()
         self._close_all(connections)
 
     @staticmethod

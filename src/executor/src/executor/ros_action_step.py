@@ -28,6 +28,8 @@ from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 from typed_arguments.ros_messages import frame_to_message
 
+# Between two looks whether a server is connected.
+_LOOK_S = 0.01
 # The limits of the plan are looked at within this time.
 _LONGEST_WAIT_S = 0.1
 # A longer turn of the loop means that the process did not run.
@@ -143,25 +145,22 @@ class ActionStep(smach.State):
                 server, deadlines, "cannot be reached: the master does not answer", now_s=began_s
             )
         try:
-            return self._carry_out_over(connection, began_s)
+            return self._carry_out_over(connection)
         finally:
             self._context.clients.release(server)
 
-    def _carry_out_over(self, connection: ActionConnection, began_s: float) -> Goal:
+    def _carry_out_over(self, connection: ActionConnection) -> Goal:
         server, deadlines = self._frame.server, self._context.deadlines
-        suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
-        while not connection.is_ready():
-            began_s += suspension.turn()
-            if self._is_to_end:
-                return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
-            if time.monotonic() - began_s >= deadlines.acceptance_s:
-                return tracking.fail_unsent(
-                    server,
-                    deadlines,
-                    f"is not running: no answer within {deadlines.acceptance_s:g} s",
-                    now_s=time.monotonic(),
-                )
-            self._pause(0.01)
+        reason = self._context.clients.wait_until_ready(
+            connection,
+            timeout_s=deadlines.acceptance_s,
+            pause=lambda: self._pause(_LOOK_S),
+            is_over=lambda: self._is_to_end,
+        )
+        if self._is_to_end:
+            return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
+        if reason:
+            return tracking.fail_unsent(server, deadlines, reason, now_s=time.monotonic())
         owner = f"{self._frame.name} by {server}"
         try:
             self._context.settings.apply(server, owner=owner, stated=self._context.profiles.settings(self._frame))

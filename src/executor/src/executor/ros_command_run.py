@@ -9,7 +9,7 @@ import rospy
 
 import smach
 from arbitrator.node_runs import NodeEvent
-from arbitrator.plan import Condition, Do, Plan, walk
+from arbitrator.plan import Candidate, Condition, Do, Plan, walk, with_candidates
 from arbitrator.rest_of_plan import Progress, Rest
 from arbitrator.scopes import Scope
 from arbitrator.state_machine import build_state_machine, plan_label
@@ -98,6 +98,7 @@ class CommandRun:
             threads: that run plans
         """
         self._plan = plan
+        self._clients = clients
         self._on_note = on_note
         self._on_tried = on_tried
         self._longest_wait_s = longest_wait_s
@@ -204,7 +205,7 @@ class CommandRun:
             self._is_preempt_asked.wait(self._pause_s)
         try:
             self._machine = build_state_machine(
-                self._plan,
+                self._with_living_first(),
                 self._make_step,
                 watch=self._watch,
                 observe=self._observe,
@@ -222,6 +223,19 @@ class CommandRun:
             self._on_end(self, result)
             self._introspection.hide()
             self._has_ended.set()
+
+    def _with_living_first(self) -> Plan:
+        """Return the plan with the candidates last whose servers are missing, among those of the same reading."""
+        candidates = [one for part in walk(self._plan) if isinstance(part, (Do, Condition)) for one in part.candidates]
+        missing = self._clients.missing({frame.server for one in candidates for frame in one.frames})
+
+        def order(ways: Tuple[Candidate, ...]) -> Tuple[Candidate, ...]:
+            return tuple(
+                sorted(ways, key=lambda one: (one.preference, any(frame.server in missing for frame in one.frames)))
+            )
+
+        ordered: Plan = with_candidates(self._plan, order) if missing else self._plan
+        return ordered
 
     def _show(self, machine: smach.Container) -> None:
         parts = list(walk(self._plan))

@@ -1,7 +1,6 @@
 """Watches a condition: a goal of a server that says by its feedback whether the condition holds."""
 
 import threading
-import time
 from dataclasses import dataclass, field
 from typing import Callable, List, Optional
 
@@ -13,11 +12,10 @@ from executor.goal_tracking import GoalDeadlines
 from executor.ros_action_clients import ActionClients
 from executor.ros_running_goals import RunningGoals
 from executor.ros_watch_goals import WatchGoal, WatchGoals
-from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 
-#: Pauses between two looks whether a server is connected, seconds: the first one, and the longest.
-_LOOK_S, _LONGEST_LOOK_S = 0.01, 0.1
+#: Between two looks whether a server is connected, seconds.
+_LOOK_S = 0.03
 
 
 @dataclass(frozen=True)
@@ -100,7 +98,7 @@ class ConditionWatch:
 
     def _send(self, frame: FilledFrame) -> Optional[str]:
         """Ask one server to watch; returns why it cannot, a clause that follows its name; None when it was asked."""
-        began_s, acceptance_s = time.monotonic(), self._context.deadlines.acceptance_s
+        acceptance_s = self._context.deadlines.acceptance_s
         try:
             connection = self._context.clients.get(frame.server, timeout_s=acceptance_s)
         except ValueError as error:
@@ -109,15 +107,14 @@ class ConditionWatch:
             return "cannot be reached: the master does not answer"
         is_sent = False
         try:
-            look_s = _LOOK_S
-            suspension = SuspensionWatch(longest_turn_s=_LONGEST_LOOK_S + 0.4)
-            while not connection.is_ready():
-                began_s += suspension.turn()
-                if self._is_closed.wait(look_s):
-                    return ""
-                look_s = min(look_s * 1.25, _LONGEST_LOOK_S)
-                if time.monotonic() - began_s >= acceptance_s:
-                    return f"is not running: no answer within {acceptance_s:g} s"
+            reason = self._context.clients.wait_until_ready(
+                connection,
+                timeout_s=acceptance_s,
+                pause=lambda: self._is_closed.wait(_LOOK_S),
+                is_over=self._is_closed.is_set,
+            )
+            if reason or self._is_closed.is_set():
+                return reason
             goal = WatchGoal(
                 frame,
                 connection,

@@ -128,6 +128,14 @@ class DriverSettings:
                 self._restore(owner)
                 raise
 
+    def prepare(self, server: str) -> None:
+        """Ask the master now what a server needs, and not when it gets a goal.
+
+        Raises:
+            SettingsError: the master does not answer
+        """
+        self._find_needs(server)
+
     def _find_needs(self, server: str) -> object:
         """Return what the parameter of a server holds, None for nothing.
 

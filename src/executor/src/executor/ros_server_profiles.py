@@ -14,10 +14,12 @@ from typed_arguments import FilledFrame
 class ServerProfiles:
     """Keeps from the latched topic what the executor needs to know of servers; any thread may ask."""
 
-    def __init__(self, on_change: Callable[[], None] = lambda: None, *, default_silence_s: float) -> None:
+    def __init__(
+        self, on_change: Callable[[FrozenSet[str]], None] = lambda _: None, *, default_silence_s: float
+    ) -> None:
         """
         Args:
-            on_change: called, from a thread of rospy, when a server was added or is gone
+            on_change: called with the servers that live, from a thread of rospy, when a server was added or is gone
             default_silence_s: for how long a condition may be silent whose server states nothing
         """
         self._on_change = on_change
@@ -65,7 +67,9 @@ class ServerProfiles:
         self._profiles = {
             (callback.frame_name, callback.callback_topic): callback.profile for callback in message.callbacks
         }
-        self._on_change()
+        self._on_change(
+            frozenset(one.callback_topic for one in message.callbacks if one.is_alive and one.callback_topic)
+        )
 
 
 def _value(name: str, text: str) -> Value:

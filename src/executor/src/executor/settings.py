@@ -32,7 +32,7 @@ class Settings(Parameters):
         longest_search_s: that a command may lose with servers that do not work
         quarantine_s: for which a server that did not end a goal is not used; 0 for none
         settings_timeout_s: for a node to be reconfigured
-        max_clients: connections to servers that are kept
+        max_clients: connections to servers that are kept, and made beforehand
         on_master_lost: finish or stop: what becomes of what runs when the master is gone; nothing else begins
         master_timeout_s: a master that hangs is gone after this time
         introspection: publish the topics of smach_viewer
@@ -54,7 +54,7 @@ class Settings(Parameters):
     longest_search_s: float = parameter(30.0, least=0.05, most=1e6)
     quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
-    max_clients: int = parameter(32, least=1, most=1000)
+    max_clients: int = parameter(64, least=1, most=1000)
     on_master_lost: OnMasterLost = parameter(OnMasterLost.FINISH)
     master_timeout_s: float = parameter(30.0, least=1.0, most=1e6)
     introspection: bool = parameter(True)

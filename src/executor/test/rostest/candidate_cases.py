@@ -47,8 +47,6 @@ class CandidateCases(ExecutorCase):
             ("lose", "one", "one lost the goal"),
             ("drop_result", "one", "one said SUCCEEDED but sent no result"),
             ("raise", "one", "one did not accept the goal"),
-            ("succeed", "nobody", "nobody is not running"),
-            ("succeed", "not a name", "not a name cannot be reached"),
             ("freeze", "freezing", "freezing was silent"),
             ("die", "mortal", "mortal has died"),
         ):

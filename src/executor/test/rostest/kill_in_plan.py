@@ -4,6 +4,8 @@
     kill_in_plan.py KIND VICTIM [finish|stop]
 
 KIND is that of a plan node, VICTIM one of executor, source, master. The last word is the executor's `on_master_lost`.
+Two more victims: "hang", a master that hangs before anything is said; "commander", the master, and then the command
+server, which would pass on a stop.
 """
 
 import contextlib
@@ -14,8 +16,9 @@ import socket
 import subprocess
 import sys
 import time
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional, Set
 
+import rosgraph
 import rospy
 from roboframenet_msgs.msg import (
     Command,
@@ -36,6 +39,8 @@ from roboframenet_testing import wait_until
 
 #: A leaf that nobody ends is over after this time.
 LEAF_S = 4.0
+#: The executor has noticed that the master is dead, or has connected to a server.
+NOTICED_S = 2.0
 #: A plan goes on for so long after everything that should happen has happened.
 AFTER_S = 1.5
 
@@ -115,8 +120,17 @@ def run(kind: str, victim: str, on_master_lost: str) -> Dict[str, Any]:
         graph.start(sys.executable, misbehaving, "__name:=servers", "_servers:=[one, two]")
         source = graph.start(sys.executable, misbehaving, "__name:=source", "_servers:=[watching]")
         executor = graph.start("rosrun", "executor", "executor", f"_on_master_lost:={on_master_lost}")
-        graph.start("rosrun", "command_server", "command_server", "_executor_timeout_s:=2.0")
-        return _watch({"executor": executor, "source": source, "master": master}[victim], kind)
+        commander = graph.start("rosrun", "command_server", "command_server", "_executor_timeout_s:=2.0")
+        if victim == "hang":
+            return _watch([], kind, hanging=master)
+        victims = {"executor": [executor], "source": [source], "master": [master], "commander": [master, commander]}
+        return _watch(victims[victim], kind)
+
+
+def _published_by(node: str) -> Set[str]:
+    """Return the topics that a node publishes."""
+    publishers = rosgraph.Master(rospy.get_name()).getSystemState()[0]
+    return {topic for topic, nodes in publishers if node in nodes}
 
 
 def _is_up(port: int) -> bool:
@@ -124,7 +138,9 @@ def _is_up(port: int) -> bool:
         return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
-def _watch(victim: "subprocess.Popen[bytes]", kind: str) -> Dict[str, Any]:
+def _watch(
+    victims: "List[subprocess.Popen[bytes]]", kind: str, *, hanging: "Optional[subprocess.Popen[bytes]]" = None
+) -> Dict[str, Any]:
     rospy.init_node("kill_in_plan", disable_signals=True)
     replies: List[Reply] = []
     log: List[str] = []
@@ -141,6 +157,10 @@ def _watch(victim: "subprocess.Popen[bytes]", kind: str) -> Dict[str, Any]:
     names = [("last", "one"), ("succeed", "two"), ("watch", "watching")]
     callbacks = [FrameCallback(frame_name=frame, callback_topic=server, is_alive=True) for frame, server in names]
     servers.publish(FrameServers(registrar_id="test", callbacks=callbacks))
+
+    if len(victims) > 1:
+        # Only a cancel may end it.
+        LAST.candidates[0].frames[0].frame_elements[0].argument = "600"
 
     def on_command(command: Command) -> None:
         for stage in ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator"):
@@ -163,6 +183,11 @@ def _watch(victim: "subprocess.Popen[bytes]", kind: str) -> Dict[str, Any]:
         ),
         message="the graph does not come up",
     )
+    if hanging is not None:
+        # No goal was sent yet.
+        wait_until(lambda: {"/one/goal", "/two/goal"} <= _published_by("/executor"), message="it does not connect")
+        time.sleep(NOTICED_S)
+        os.killpg(hanging.pid, signal.SIGSTOP)
     text.publish("do it all")
     first = "watching begins watch" if kind == "WAIT" else "one begins last"
     wait_until(lambda: first in log and begun, message=lambda: f"nothing begins: {log}")
@@ -172,8 +197,12 @@ def _watch(victim: "subprocess.Popen[bytes]", kind: str) -> Dict[str, Any]:
     time.sleep(0.7)
     before = list(log)
     killed_s = time.monotonic()
-    os.killpg(victim.pid, signal.SIGKILL)
-    wait_until(lambda: bool(replies), 30.0, message=lambda: f"no reply: {log}")
+    for number, victim in enumerate(victims):
+        time.sleep(NOTICED_S if number else 0.0)
+        os.killpg(victim.pid, signal.SIGKILL)
+    # A commander that is dead replies no more.
+    is_told = (lambda: "one preempted last" in log) if len(victims) > 1 else (lambda: bool(replies))
+    wait_until(is_told, 30.0, message=lambda: f"no reply: {log}")
     seconds = time.monotonic() - killed_s
     time.sleep(AFTER_S)
     after = log[len(before) :]

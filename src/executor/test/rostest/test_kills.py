@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """One truthful reply, and a robot that stands: the executor, a source or the master is killed while a plan runs.
 
-The parameter ``~cases`` names what is killed: "SEQUENCE master finish", "UNTIL source"; see kill_in_plan.py.
+The parameter ``~cases`` names what is killed: "SEQUENCE master finish", "UNTIL source"; see kill_in_plan.py. A command
+is done although the master hangs ("SEQUENCE hang"), and what goes on without a master ends with its commander.
 """
 
 import json
@@ -46,9 +47,15 @@ class KillsTest(unittest.TestCase):
     def check(self, case):
         kind, victim, how = [*case.split(), ""][:3]
         found = self.killed(case)
+        if victim == "commander":
+            self.assertIn("one preempted last", found["ended"], case)
+            return
         self.assertEqual(1, len(found["replies"]), case)
         reply = found["replies"][0]
         told = (reply["outcome"], reply["code"])
+        if victim == "hang":
+            self.assertEqual((Reply.DONE, "DONE"), told, reply["sentence"])
+            return
         self.assertEqual([], found["begun"], case)
         if victim == "master":
             outcome, code, sentence = (

@@ -8,8 +8,6 @@ from typing import Any, Dict, Mapping
 
 import yaml
 
-from rfnserver.places import location_name
-
 
 @dataclass(frozen=True)
 class Location:
@@ -39,7 +37,7 @@ class LocationFileError(ValueError):
 
 
 def read_locations(path: str) -> Dict[str, Location]:
-    """Read a file of places.
+    """Read a file of places; the names come as they are in the file.
 
     The file maps each name to ``x`` and ``y`` in metres and, if they matter, ``heading`` in radians and ``frame_id``::
 
@@ -60,7 +58,7 @@ def read_locations(path: str) -> Dict[str, Location]:
         return {}
     if not isinstance(document, dict):
         raise LocationFileError(f"{path}: expected a mapping of names to places, found {type(document).__name__}")
-    return {location_name(str(name)): _location(path, str(name), entry) for name, entry in document.items()}
+    return {str(name): _location(path, str(name), entry) for name, entry in document.items()}
 
 
 def _location(path: str, name: str, entry: Any) -> Location:

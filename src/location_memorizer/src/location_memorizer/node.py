@@ -78,7 +78,9 @@ class LocationMemorizer:
         self._memory_file = os.path.expanduser(
             settings.memory_file or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
         )
-        self._places = (self._read(settings.places_file) or {}) if settings.places_file else {}
+        # A person writes the one file, and this node the other: its names are known by their words already.
+        places = (self._read(settings.places_file) or {}) if settings.places_file else {}
+        self._places = {location_name(name): location for name, location in places.items()}
         remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
         if remembered is None:
             self._set_memory_aside()

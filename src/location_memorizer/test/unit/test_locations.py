@@ -21,6 +21,26 @@ def test_written_places_are_read_again(tmp_path) -> None:
     assert read_locations(path) == {"office": OFFICE}
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        "front\noffice",
+        "front\r\noffice",
+        "front\n\n office",
+        "\noffice\n",
+        "the the office",
+        "a\x85b\u2028c",
+        "no",
+        "1",
+        "",
+    ],
+)
+def test_name_comes_back_as_it_was(name: str, tmp_path) -> None:
+    path = str(tmp_path / "places.yaml")
+    write_locations({name: OFFICE}, path)
+    assert read_locations(path) == {name: OFFICE}
+
+
 def test_writing_leaves_no_other_file(tmp_path) -> None:
     write_locations({"office": OFFICE}, str(tmp_path / "places.yaml"))
     assert [path.name for path in tmp_path.iterdir()] == ["places.yaml"]

@@ -17,6 +17,8 @@ class TextSource(Enum):
     STOP = "stop-"
     #: A text that no command server has taken.
     UNHEARD = "unheard-"
+    #: What a recording repeats, and a stage refuses.
+    REPLAYED = "replayed-"
 
 
 #: What a fleet puts before the id of a command that it sends on to a robot.

@@ -11,6 +11,7 @@ from actionlib.action_client import CommStateMachine, GoalManager
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
 from roboframenet_ros.ros_master import is_process_gone
+from roboframenet_ros.ros_publishing import unregister
 from roboframenet_ros.ros_server_links import ServerLinks, newest_link
 
 #: How long a process may take to say that it lives, seconds.
@@ -114,8 +115,12 @@ class ActionConnection:
 
     def close(self) -> None:
         """Disconnect."""
-        self._status.unregister()
-        self._client.stop()
+        client = self._client
+        for end in (client.pub_goal, client.pub_cancel, client.result_sub, client.feedback_sub):
+            unregister(end)
+        # The one topic that has two subscribers here.
+        unregister(client.status_sub)
+        unregister(self._status)
 
     @property
     def feedback_stamp(self) -> rospy.Time:

@@ -89,11 +89,10 @@ class TimedMaster:
         return str(uri)
 
 
-def is_process_gone(uri: str, *, timeout_s: float) -> bool:
-    """Whether the process of a node has certainly ended: nothing listens at its address.
+def is_running(uri: str, *, timeout_s: float) -> Optional[bool]:
+    """Whether the process of a node runs; None if that is not known: the node hangs, or its host cannot be reached.
 
-    A node that hangs, or whose host cannot be reached, is not certainly gone. The master is not asked: it knows nodes
-    long after they were killed, and knows no node after it was restarted itself.
+    The master is not asked: it knows nodes long after they were killed, and none after it was restarted itself.
 
     Args:
         uri: XML-RPC address of the node
@@ -102,10 +101,15 @@ def is_process_gone(uri: str, *, timeout_s: float) -> bool:
     try:
         xmlrpc.client.ServerProxy(uri, transport=TimedTransport(timeout_s)).getPid(rospy.get_name())
     except ConnectionRefusedError:
-        return True
-    except NO_ANSWER:
         return False
-    return False
+    except NO_ANSWER:
+        return None
+    return True
+
+
+def is_process_gone(uri: str, *, timeout_s: float) -> bool:
+    """Whether the process of a node has certainly ended: nothing listens at its address. See :func:`is_running`."""
+    return is_running(uri, timeout_s=timeout_s) is False
 
 
 def listeners_of(uri: str, *, timeout_s: float) -> FrozenSet[Tuple[str, str]]:

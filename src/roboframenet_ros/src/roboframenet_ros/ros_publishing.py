@@ -61,3 +61,19 @@ def publish_to(publisher: rospy.Publisher, connection: Any, message: Any) -> Non
             topic.publish(message, connection_override=connection)
         finally:
             topic.release()
+
+
+def unregister(end: Any) -> None:
+    """Unregister a publisher or a subscriber, and give its descriptors back.
+
+    rospy leaves one of each topic, with which it notices broken connections, to the garbage collector: in a node that
+    loses one server after the other, they pile up.
+
+    Args:
+        end: ``rospy.Publisher`` or ``rospy.Subscriber``
+    """
+    topic = end.impl
+    end.unregister()
+    # Another end of this process may use the topic still.
+    if topic is not None and topic.closed and hasattr(topic.connection_poll.poller, "close"):
+        topic.connection_poll.poller.close()

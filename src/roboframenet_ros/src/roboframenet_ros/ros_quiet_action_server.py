@@ -8,8 +8,10 @@ from typing import Any, Callable, Optional
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus
+from roboframenet_msgs.msg import FilledSemanticFrameActionGoal
 
 from roboframenet_ros.orphaned_goals import OrphanWatch
+from roboframenet_ros.replays import AGAIN, Taken, is_old
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_publishing import is_shutting_down
@@ -62,6 +64,7 @@ class QuietActionServer(actionlib.ActionServer):
 
     def initialize(self) -> None:
         """Set up the topics, without the status timer, and a log that never delays a goal."""
+        self._taken = Taken()
         log_from_threads()
         connect_missed_publishers()
         super().initialize()
@@ -124,6 +127,8 @@ class QuietActionServer(actionlib.ActionServer):
     def internal_goal_callback(self, goal: Any) -> None:
         """Take a goal; its status is published soon after it changes, and repeatedly."""
         self.follow_clock()
+        if self._refuses(goal):
+            return
         if self._orphan_watch is not None:
             with self.lock:
                 client = (getattr(goal, "_connection_header", None) or {}).get("callerid", "")
@@ -133,6 +138,26 @@ class QuietActionServer(actionlib.ActionServer):
             self.on_taken()
         else:
             self.publish_status()
+
+    def _refuses(self, goal: Any) -> bool:
+        """Take a goal of the executor, or reject one that a recording repeats; returns whether it is rejected.
+
+        Other goals come from ordinary clients, whose clocks and ids are their own business.
+        """
+        if not isinstance(goal, FilledSemanticFrameActionGoal):
+            return False
+        with self.lock:
+            stamp_ns, now_ns = goal.goal_id.stamp.to_nsec(), rospy.Time.now().to_nsec()
+            if goal.goal_id.id not in self._taken and not is_old(stamp_ns, now_ns):
+                self._taken.add(goal.goal_id.id)
+                return False
+            rospy.logwarn("%s: a goal of before is rejected; a recording repeats it", self.ns)
+            take, self.goal_callback = self.goal_callback, lambda handle: handle.set_rejected(None, AGAIN)
+            try:
+                super().internal_goal_callback(goal)
+            finally:
+                self.goal_callback = take
+        return True
 
     def internal_cancel_callback(self, goal_id: GoalID) -> None:
         """Cancel goals by id, or those up to a stamp."""

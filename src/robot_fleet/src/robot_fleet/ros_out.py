@@ -7,12 +7,11 @@ import rospy
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import Empty, String
 
-from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_ros.ros_listeners import has_every_listener
 from robot_fleet.untaken_texts import KEY_LENGTH
 
-#: After this time whoever listens is connected; a listener that died is not waited for. Seconds.
+#: After this time whoever listens is connected, or hangs; seconds.
 SETTLED_S = 3.0
-_MASTER_TIMEOUT_S = 1.0
 
 
 class RepliesOut:
@@ -33,20 +32,13 @@ class RepliesOut:
         """Publish what is held back, if that may be."""
         if not self._held:
             return
-        self._is_settled = self._is_settled or time.monotonic() >= self._settled_s or self._has_every_listener()
+        self._is_settled = (
+            self._is_settled or time.monotonic() >= self._settled_s or has_every_listener(self._publisher)
+        )
         if self._is_settled:
             for reply in self._held:
                 self._publisher.publish(reply)
             self._held.clear()
-
-    def _has_every_listener(self) -> bool:
-        try:
-            state = TimedMaster(timeout_s=_MASTER_TIMEOUT_S).system_state()
-        except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-            rospy.logdebug("the subscribers of replies are not known: %s", error)
-            return False
-        listeners = state.subscribers.get(self._publisher.resolved_name, ())
-        return 0 < len(listeners) <= self._publisher.get_num_connections()
 
 
 class TakenOut:

@@ -8,6 +8,7 @@ import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
 from roboframenet_ros.ros_master import SystemState, TimedMaster
+from roboframenet_ros.ros_publishing import unregister
 from robot_stop.braking import LiveGoal, StopOrder
 from robot_stop.servers import Server, find_servers
 
@@ -62,8 +63,8 @@ class _Connection:
 
     def close(self) -> None:
         """Disconnect."""
-        self._publisher.unregister()
-        self._subscriber.unregister()
+        unregister(self._publisher)
+        unregister(self._subscriber)
 
 
 class Servers:

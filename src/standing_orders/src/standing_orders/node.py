@@ -34,6 +34,7 @@ from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
+from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.sqlite_file import StoreError
@@ -123,6 +124,7 @@ class StandingOrdersNode:
         self._told: Optional[StandingOrders] = None
         self._shown: object = None
         self._stage = Stage("standing_orders")
+        self._replays = ReplayWatch(self._stage)
         self._due = HandOver("order_due", OrderDue)
         # What was missed is told, however long the command server takes to start.
         self._missed: Deque[OrderDue] = deque(maxlen=_MOST_MISSED)
@@ -143,6 +145,7 @@ class StandingOrdersNode:
         """Start to keep orders."""
         rospy.on_shutdown(self._shutdown)
         self._watches.start()
+        self._replays.start()
         self._watch()
         self._tell()
         self._worker.start()
@@ -221,6 +224,8 @@ class StandingOrdersNode:
 
     def _give(self, message: CommandPlan) -> None:
         command = message.command
+        if self._replays.refuses(command):
+            return
         if command.stamp <= self._stop_stamp:
             return  # the command server has answered it: it was stopped
         try:

@@ -29,6 +29,7 @@ from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
+from roboframenet_ros.ros_server_links import newest_link
 from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
@@ -94,6 +95,7 @@ class StopServerNode:
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
         self._unheard = UnheardTexts()
+        self._answering = threading.Timer(_TAKEN_S, lambda: None)
         self._heard_once = HeardOnce()
         self._orders_back = OrdersTakenBack()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
@@ -120,8 +122,8 @@ class StopServerNode:
             rospy.Subscriber("cry_heard", Command, self._hear_of_cry, tcp_nodelay=True),
             rospy.Subscriber("frame_servers", FrameServers, self._hear_servers),
             rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
-            rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
         ]
+        self._starts = rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start())
         self._robot = own_robot()
         self._names = Names({self._robot: ()})
         if self._robot:
@@ -178,11 +180,16 @@ class StopServerNode:
         """The command server was started; some time later, reply to what was said while it did not run."""
         with self._lock:
             self._heard_once.forget()
-        timer = threading.Timer(_TAKEN_S, self._answer_unheard, args=(time.monotonic() + _LISTENING_S,))
-        timer.daemon = True
-        timer.start()
+        # Of two starts, the later one answers for both.
+        self._answering.cancel()
+        self._answering = threading.Timer(_TAKEN_S, self._answer_unheard, args=(time.monotonic() + _LISTENING_S,))
+        self._answering.daemon = True
+        self._answering.start()
 
     def _answer_unheard(self, before_s: float) -> None:
+        if newest_link(self._starts) == ("", ""):
+            # It has died meanwhile, and may have kept what it took: the next start decides.
+            return
         with self._lock:
             unheard = self._unheard.take_unheard(before_s=before_s)
         for text in unheard:

@@ -1,0 +1,48 @@
+"""Refuses goals of the action ``command`` and standing orders that ``rosbag play`` repeats beside the robot."""
+
+import actionlib
+import rospy
+from roboframenet_msgs.msg import OrderDue
+
+from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome
+from command_server.ros_replies import Replies
+from roboframenet_ros.command_ids import TextIds, TextSource
+from roboframenet_ros.replays import AGAIN, Replays, Taken
+from roboframenet_ros.ros_replays import REPLAYED
+
+
+class Replayed:
+    """Takes each goal, and each order that is due, once. One thread owns it."""
+
+    def __init__(self, replies: Replies) -> None:
+        """
+        Args:
+            replies: tells the refusals, each under an id of its own: the command may have had its one reply
+        """
+        self._replies = replies
+        self._goals, self._orders = Taken(), Replays()
+        self._ids = TextIds(TextSource.REPLAYED)
+
+    def refuses_goal(self, handle: actionlib.ServerGoalHandle) -> bool:
+        """Take a goal, or refuse one that was taken; one that is only old is answered as any other that comes late."""
+        goal_id = handle.get_goal_id()
+        if goal_id.id not in self._goals:
+            self._goals.add(goal_id.id)
+            return False
+        handle.set_rejected(None, AGAIN)
+        self._tell(handle.get_goal().text, goal_id.stamp, AGAIN)
+        return True
+
+    def refuses_order(self, due: OrderDue) -> bool:
+        """Take an order that is due, or refuse it."""
+        if due.not_done:
+            return False
+        stamp = due.command.stamp
+        why = self._orders.refusal(due.command.id, stamp_ns=stamp.to_nsec(), now_ns=rospy.Time.now().to_nsec())
+        if why:
+            self._tell(due.command.text, stamp, why)
+        return bool(why)
+
+    def _tell(self, text: str, stamp: rospy.Time, why: str) -> None:
+        command = CommandText(self._ids.next_id(), stamp.to_nsec(), text)
+        self._replies.tell(Ending(command, Outcome.REFUSED, OWN_STAGE, REPLAYED, why))
