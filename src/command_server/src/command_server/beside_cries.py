@@ -7,6 +7,7 @@ may, and is named in the reply.
 
 from typing import FrozenSet, List, Mapping, Sequence, Tuple
 
+from command_server.command_behind import NO_COMMANDS
 from command_server.cries import (
     BEFORE_PLACES,
     CRIES,
@@ -23,8 +24,8 @@ from command_server.cries import (
     WARNINGS,
 )
 from command_server.orders_back import said_behind
-from command_server.spoken_words import plain_text, tokens_of
-from command_server.stop_words import Phrase, find_cry, phrase_at, phrases_by_first_word
+from command_server.spoken_words import Phrase, phrase_at, phrases_by_first_word, plain_text, tokens_of
+from command_server.stop_words import find_cry
 
 #: What opens with one of these says how things are: "it is too close".
 _TELLING: FrozenSet[str] = (WARNINGS - FILLERS) | frozenset(
@@ -70,11 +71,12 @@ def _left_of(text: str, *, is_behind: bool) -> List[str]:
     """
     tokens = tokens_of(text)
     words = [token.word for token in tokens]
-    ends = [at for at, word in enumerate(words) if word in _PAUSES] + [len(words)]
+    ends = [at for at, word in enumerate(words) if word in _PAUSES] + [len(words)] * bool(words)
     found: List[str] = []
     for first, end in zip([0] + [at + 1 for at in ends], ends):
         begin, last = _without_fillers(words[:end], first)
-        if begin == last or _asks_for_nothing(words[begin:last], is_object=is_behind and first == 0):
+        is_object = is_behind and first == 0 and not text[: tokens[first].start].strip()
+        if begin == last or _asks_for_nothing(words[begin:last], is_object=is_object):
             continue
         said = text[tokens[begin].start : tokens[last - 1].end]
         # Who is called stands right before the cry, or behind a pause.
@@ -107,7 +109,7 @@ def _asks_for_nothing(words: Sequence[str], *, is_object: bool) -> bool:
     if words[0] in _TELLING | _LASTING:
         return True
     if not is_object:
-        return False
+        return words[0] in NO_COMMANDS  # "The baby, stop!" names what is in danger.
     how = next((at for at, word in enumerate(words) if word not in BEFORE_PLACES), 0)
     return bool(
         words[0].endswith("ing") or phrase_at(words, how, _HOW) or all(word in OBJECTS | _AROUND for word in words)

@@ -12,7 +12,7 @@ from command_server.spoken_words import Token, plain_text, tokens_of
 from command_server.stop_words import is_stop
 
 #: No command begins with these: "stop and you will be fine".
-_NO_COMMANDS: FrozenSet[str] = frozenset(
+NO_COMMANDS: FrozenSet[str] = frozenset(
     (
         "you i he she it we they there that this these those the a an my your his her our their is are was were what "
         "who where when why how or so because all both not if else"
@@ -94,8 +94,8 @@ def _is_cry_alone(words: Sequence[str]) -> bool:
 
 
 def _command_at(text: str, tokens: Sequence[Token], position: int) -> str:
-    words = [token.word for token in tokens[position:] if token.word not in (FILLERS | SOFT) - _NO_COMMANDS]
-    if not words or words[0] in _NO_COMMANDS or (words[0].endswith("ing") and words[0] not in _IN_ING):
+    words = [token.word for token in tokens[position:] if token.word not in (FILLERS | SOFT) - NO_COMMANDS]
+    if not words or words[0] in NO_COMMANDS or (words[0].endswith("ing") and words[0] not in _IN_ING):
         return ""
     command = text[tokens[position].start :].strip()
     return "" if is_stop(command) else command

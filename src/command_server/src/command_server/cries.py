@@ -62,8 +62,8 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
         Tail.LASTING,
         (
             "freeze; stand still; keep still; hold still; be still; sit still; stay still; remain where you are; do "
-            "not move; do not you move; do not you dare move; do not anybody move; nobody move; stand down; stay "
-            "back; keep back"
+            "not move; do not you move; do not you dare move; do not anybody move; nobody move; nobody moves; no one "
+            "move; no one moves; stand down; stay back; keep back"
         ),
     ),
     (
@@ -247,6 +247,14 @@ LEADS: Tuple[str, ...] = (
     "will somebody",
     "would someone",
     "would somebody",
+    "can everybody",
+    "can everyone",
+    "could everybody",
+    "could everyone",
+    "will everybody",
+    "will everyone",
+    "would everybody",
+    "would everyone",
     "how about you",
     "you are to",
     "you might want to",
@@ -254,6 +262,92 @@ LEADS: Tuple[str, ...] = (
     "what are you doing",
     "where are you going",
 )
+
+#: Whom a sentence with one of `DUTIES` or `BANS` means: "everybody must stop", "the robot should not move".
+HEARERS: Tuple[str, ...] = (
+    "you",
+    "you all",
+    "you two",
+    "all of you",
+    "both of you",
+    "each of you",
+    "every one of you",
+    "everybody",
+    "everyone",
+    "everybody here",
+    "everyone here",
+    "the robot",
+    "this robot",
+    "robot",
+    "the robots",
+    "robots",
+    "all robots",
+    "all the robots",
+    "every robot",
+)
+#: What hearers have to do: "everybody has to stop" is "stop".
+DUTIES: Tuple[str, ...] = (
+    "must",
+    "should",
+    "shall",
+    "can",
+    "may",
+    "ought to",
+    "have to",
+    "has to",
+    "have got to",
+    "has got to",
+    "need to",
+    "needs to",
+    "had better",
+    "would better",
+    "better",
+    "is to",
+    "are to",
+)
+#: What they must not do: "everybody should not move" is "do not move".
+BANS: Tuple[str, ...] = (
+    "must not",
+    "should not",
+    "shall not",
+    "may not",
+    "ought not to",
+    "ought to not",
+    "had better not",
+    "would better not",
+    "better not",
+    "is not to",
+    "are not to",
+    "is not allowed to",
+    "are not allowed to",
+)
+#: With these a duty is a ban: "nobody must move". "Nobody has to move" forbids nothing.
+NOBODIES: Tuple[str, ...] = (
+    "nobody",
+    "no one",
+    "none of you",
+    "not one of you",
+    "no robot",
+    "nobody here",
+    "no one here",
+    "nobody else",
+    "no one else",
+)
+BANS_OF_NOBODY: Tuple[str, ...] = (
+    "must",
+    "should",
+    "shall",
+    "may",
+    "ought to",
+    "had better",
+    "better",
+    "is to",
+    "are to",
+    "is allowed to",
+    "are allowed to",
+)
+#: Wishes for somebody: "I want everybody to stop".
+WISHES: Tuple[str, ...] = ("i want", "i need", "i would like", "we want", "we need")
 
 #: Phrases that may follow any cry.
 TRAILS: Tuple[str, ...] = (

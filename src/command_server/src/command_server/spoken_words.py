@@ -2,7 +2,9 @@
 
 import re
 import unicodedata
-from typing import List, Mapping, NamedTuple, Sequence, Tuple
+from typing import Dict, Iterable, List, Mapping, NamedTuple, Sequence, Tuple
+
+Phrase = Tuple[str, ...]
 
 # People say less than this at a time; the rest is ignored.
 _MOST_CHARACTERS = 4000
@@ -110,3 +112,26 @@ def tokens_of(plain: str) -> List[Token]:
 def words_of(text: str) -> str:
     """Return the words of a text in lower case with one space between them, without marks."""
     return " ".join(token.word for token in tokens_of(plain_text(text)[1]) if token.word[:1].isalnum())
+
+
+def phrases_by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
+    """Return phrases by their first word, the longest first."""
+    found: Dict[str, List[Phrase]] = {}
+    for phrase in phrases:
+        words = tuple(phrase.split())
+        found.setdefault(words[0], []).append(words)
+    return {first: tuple(sorted(of_it, key=len, reverse=True)) for first, of_it in found.items()}
+
+
+def phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
+    """Return the number of words of the longest phrase at a position, 0 for none."""
+    if position >= len(words):
+        return 0
+    return next(
+        (
+            len(phrase)
+            for phrase in phrases.get(words[position], ())
+            if tuple(words[position : position + len(phrase)]) == phrase
+        ),
+        0,
+    )

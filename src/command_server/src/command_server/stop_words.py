@@ -6,7 +6,7 @@ politeness, a name or a warning before such a phrase, and if the words after it 
 "stop, you will hit the lamp" is a cry, "stop at the door" and "wait for me" are not.
 """
 
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Tuple
 
 from command_server.cries import (
     AMOUNTS,
@@ -26,6 +26,7 @@ from command_server.cries import (
     NO_CONDITIONS,
     NO_NAMES,
     NO_PLACES,
+    NOBODIES,
     OBJECTS,
     OPENINGS,
     PLACES,
@@ -44,19 +45,8 @@ from command_server.cries import (
     Kind,
     Tail,
 )
-from command_server.spoken_words import plain_text, tokens_of
-
-Phrase = Tuple[str, ...]
-
-
-def phrases_by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
-    """Return phrases by their first word, the longest first."""
-    found: Dict[str, List[Phrase]] = {}
-    for phrase in phrases:
-        words = tuple(phrase.split())
-        found.setdefault(words[0], []).append(words)
-    return {first: tuple(sorted(of_it, key=len, reverse=True)) for first, of_it in found.items()}
-
+from command_server.said_of_hearers import said_to_hearers
+from command_server.spoken_words import Phrase, phrase_at, phrases_by_first_word, plain_text, tokens_of
 
 #: Neither a name of the robot nor a warning begins with these: "at the door, stop", "turn left, stop".
 _NO_ADDRESS: FrozenSet[str] = (
@@ -78,24 +68,11 @@ _ENTRIES: Mapping[Phrase, Tuple[Kind, Tail]] = {
     tuple(phrase.split()): (kind, tail) for kind, tail, phrases in CRIES for phrase in phrases.split(";")
 }
 _CRIES = phrases_by_first_word(" ".join(phrase) for phrase in _ENTRIES)
+_BEGINNINGS = frozenset(_CRIES) | {phrase.split()[0] for phrase in NOBODIES}
 _OPENINGS = phrases_by_first_word(FILLER_PHRASES + LEADS + OPENINGS)
 _LEADS = phrases_by_first_word(FILLER_PHRASES + LEADS)
 _TRAILS = phrases_by_first_word(FILLER_PHRASES + TRAILS)
 _NO_PLACES = phrases_by_first_word(NO_PLACES + NO_CONDITIONS)
-
-
-def phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
-    """Return the number of words of the longest phrase at a position, 0 for none."""
-    if position >= len(words):
-        return 0
-    return next(
-        (
-            len(phrase)
-            for phrase in phrases.get(words[position], ())
-            if tuple(words[position : position + len(phrase)]) == phrase
-        ),
-        0,
-    )
 
 
 def _slips() -> Mapping[str, Kind]:
@@ -305,17 +282,18 @@ def find_cry(text: str) -> Optional[Cry]:
     different = {token.word for token in tokens} - _PAUSES
     if len(different) == 1 and different <= _SLIPS.keys():
         return Cry(_SLIPS[different.pop()])
-    if different.isdisjoint(_CRIES):
+    if different.isdisjoint(_BEGINNINGS):
         return None
-    words = [token.word for token in tokens]
-    ends = [at for at, word in enumerate(words) if word == "."] + [len(words)]
+    ends = [at for at, token in enumerate(tokens) if token.word == "."] + [len(tokens)]
     for first, last in zip([0] + [end + 1 for end in ends], ends):
-        if _CRIES.keys().isdisjoint(words[first:last]):
+        sentence = said_to_hearers(tokens[first:last])
+        words = [token.word for token in sentence]
+        if _CRIES.keys().isdisjoint(words):
             continue
-        found = _Sentence(words[first:last], is_first=first == 0).cry()
+        found = _Sentence(words, is_first=first == 0).cry()
         if found is not None:
             kind, begin, end = found
-            return Cry(kind, said[tokens[first + end - 1].end :], said[: tokens[first + begin].start])
+            return Cry(kind, said[sentence[end - 1].end :], said[: sentence[begin].start])
     return None
 
 

@@ -14,6 +14,8 @@ from command_server.beside_cries import words_not_done
         ("Turn left. No, stop!", ("Turn left",)),
         ("stop, dance", ("dance",)),
         ("Stop the music and come back", ("the music",)),
+        ("Everybody must stop the music.", ("the music",)),
+        ("Dance. Stop!", ("Dance",)),
         ("abort the mission to fetch the mug", ("the mission to fetch the mug",)),
     ],
 )
@@ -39,6 +41,12 @@ def test_words_that_may_ask_for_something_are_left(text, left):
         "stop as fast as you can",
         "Pepper, please stop!",
         "Stop, Rosie!",
+        "The baby, stop!",
+        "Stop! The baby!",
+        "The baby is crying. Stop!",
+        "Everybody must stop.",
+        "Nobody must move.",
+        "I want everybody to stop now.",
     ],
 )
 def test_nothing_is_left_of_a_stop_alone(text):

@@ -81,10 +81,15 @@ def depart(skills: Skills, frame: FilledFrame) -> None:
 def move_along(skills: Skills, frame: FilledFrame) -> None:
     """Drive through a door or a room, to what comes after it, or along a corridor to its end."""
     path = skills.find(argument(frame, "path"), "room", "door", "furniture", "thing")
-    if path.sort != "door":
-        skills.go(path.id)
-        return
     here = skills.body.room()
+    if path.sort in ("furniture", "thing"):
+        raise CannotDo(f"I know the way through doors and rooms, but not past or along {path.the_name}.")
+    if path.sort == "room":
+        # Who is there already goes on to the end of it.
+        doors = [door for door in skills.memory.all("door") if path.id == here and path.id in door.attributes]
+        far = max(doors, key=lambda door: math.dist(skills.body.place(), (door.x_m, door.y_m)), default=path)
+        skills.go(far.id)
+        return
     skills.go(path.id)
     beyond = next((ident for ident in path.attributes if ident != here), "")
     if not beyond:

@@ -22,6 +22,8 @@ _COMPANY_S = 300.0
 POSTURES = ("sitting", "standing", "walking")
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
+#: Places told from where somebody stands, which no skill can see: "behind you", "on your left", "on the right".
+_SIDES = frozenset("the a your my our you me us left right front back side hand of".split())
 #: FrameNet's semantic type of what can be seen somewhere.
 _TOUCHABLE = "Physical_entity"
 
@@ -72,6 +74,7 @@ class Skills(Acting):
         met = self.memory.get(self.memory.met[0])
         if argument.text.lower() in _MET and not argument.referents and met is not None:
             return [met]
+        _refuse_sides(argument)
         place = self._place_of(near) if near is not None and near.text else None
         wants_all = (argument.is_plural or is_whole(argument)) and argument.count is None
         # "Everything on the table" is more than what the robot has seen there by chance.
@@ -280,3 +283,13 @@ def argument(frame: FilledFrame, element: str) -> TypedArgument:
 def said(frame: FilledFrame, element: str) -> bool:
     """Whether an element has an argument."""
     return bool(frame.text(element))
+
+
+def _refuse_sides(argument: TypedArgument) -> None:
+    """Raise :class:`CannotDo` when only a side of somebody tells which one is meant: "the table right behind you"."""
+    if argument.referents:
+        return
+    for frame in argument.frames:
+        for element in frame.frame_elements:
+            if element.relation and element.text and _SIDES.issuperset(element.text.lower().split()):
+                raise CannotDo(f'I do not know what is meant by "{frame.words}".')

@@ -14,7 +14,7 @@ from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
 from roboframenet_sim.home_truth import truth_of
-from typed_arguments import FilledFrame, Modifier, TypedArgument
+from typed_arguments import EmbeddedFrame, FilledFrame, Modifier, TypedArgument
 
 HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
 
@@ -90,6 +90,23 @@ def test_what_is_not_there_is_not_found():
     _, _, skills = make()
     with pytest.raises(CannotDo, match=r"^I have not seen the trumpet\.$"):
         skills.find(phrase("the trumpet"), "thing")
+
+
+@pytest.mark.parametrize(
+    ("relation", "place"), [("behind", "you"), ("on", "your left"), ("on", "the right"), ("next_to", "me")]
+)
+def test_what_only_a_side_of_somebody_tells_is_refused(relation, place):
+    _, _, skills = make()
+    side = f"{relation.replace('_', ' ')} {place}"
+    location = EmbeddedFrame(
+        role="place",
+        frame_name="being_located",
+        words=side,
+        frame_elements=(phrase(place, name="location", relation=relation),),
+    )
+    with pytest.raises(CannotDo, match=f'what is meant by "{side}"'):
+        skills.find(phrase(f"the table {side}", head="table", frames=(location,)), "furniture")
+    assert skills.find(phrase("the table"), "furniture").id == "kitchen_table"
 
 
 def test_what_was_told_is_looked_at_first():

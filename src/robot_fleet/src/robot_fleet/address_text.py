@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Tuple
 
+from command_server.cries import Kind as Cries
 from command_server.stop_words import find_cry
 from robot_fleet.address_words import address_words
 from robot_fleet.designators import Group, Kind, called_ordinal_at, group_at, tokens_of
@@ -288,6 +289,8 @@ class _Utterance:
             if not length:
                 continue
             group, behind = group_at(self._words, position + length, self._names)
+            if group is None:
+                group, behind = self._stopped_by_name(position + length)
             if group is None or behind >= len(self._words):
                 continue
             is_negated = self._words[behind] in self._single["negations"]
@@ -299,6 +302,16 @@ class _Utterance:
             if needs_to and self._words[behind] == ":" and behind + 1 < len(self._words):
                 return group, behind + 1, ""
         return None
+
+    def _stopped_by_name(self, position: int) -> Tuple[Optional[Group], int]:
+        """Return who is told to stop by a name that no robot has, which may be misheard: "tell *Luna* to stop"."""
+        group, behind = group_at(self._words, position, self._names, self._calls.is_name)
+        negated = self._words[behind : behind + 1] == ["not"]
+        at = behind + negated
+        at += self._words[at : at + 1] == ["to"]
+        order = ["do not"] * negated + self._words[at:]
+        cry = find_cry(" ".join(order)) if group is not None else None
+        return (group, behind) if cry is not None and cry.kind is Cries.STOP and not cry.before else (None, position)
 
     def _stopped_at(self, begin: int, end: int) -> Optional[Tuple[Group, int, int]]:
         """Return who is stopped without a comma, and where that stands: "stop Alpha", "stop Alpha and go back"."""

@@ -286,7 +286,9 @@ class _Check:
         words = self._tree.words
         beside = [*words[max(0, word.index - 2) : word.index - 1], *words[word.index : word.index + 1]]
         is_apart = any(one.upos == "PUNCT" for one in beside)
-        return word.deprel == "vocative" and (word.upos == "PROPN" or is_apart)
+        # A name behind a noun, without a mark, is rather a part of what is named: "find my sister Anna".
+        is_first = word.upos == "PROPN" and all(word.index < index for index in self._named)
+        return word.deprel == "vocative" and (is_apart or is_first)
 
     def _is_of_exclusion(self, word: Word) -> bool:
         """Whether a word belongs to what is avoided: "without going *through* the hall", "*while* avoiding it"."""
