@@ -9,7 +9,7 @@ import pytest
 
 TIERS = ("acceptance", "reliability")
 #: What ``stanford_parser_ros.model.shipped_parser`` loads the models with.
-MODELS = "stanford_parser_ros.model.StanzaInference"
+MODELS = "stanford_parser_ros.model.JointInference"
 
 
 def pytest_addoption(parser: "pytest.Parser") -> None:
@@ -27,7 +27,7 @@ def pytest_configure(config: "pytest.Config") -> None:
 class Parses:
     """Tests of the tier "test" get recorded answers where others get the models.
 
-    The passes run for real. A test that shows what the models say makes a ``StanzaInference`` of its own.
+    The passes run for real. A test that shows what the models say makes a ``JointInference`` of its own.
     """
 
     def __init__(self, record: Optional[str]) -> None:
@@ -51,11 +51,12 @@ class Parses:
     def _inference(self, **_settings: object) -> Any:
         if self._answers is None:
             from roboframenet_testing import recorded_parses
-            from stanford_parser_ros.inference import StanzaInference, shipped_model_dir
+            from stanford_parser_ros.inference import shipped_model_dir
+            from stanford_parser_ros.joint.inference import JointInference
 
             known = {} if self._record == "anew" else recorded_parses.read_shipped_recording()
             if self._record:
-                models = StanzaInference(model_dir=shipped_model_dir())
+                models = JointInference(model_dir=shipped_model_dir())
                 self._answers = recorded_parses.RecordingInference(models, known)
             else:
                 self._answers = recorded_parses.RecordedInference(known)

@@ -5,7 +5,8 @@ from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Tuple
 
-from stanford_parser_ros.inference import Inference, StanzaInference, shipped_model_dir
+from stanford_parser_ros.inference import Inference, shipped_model_dir
+from stanford_parser_ros.joint.inference import JointInference
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -198,6 +199,6 @@ def shipped_parser(*, cache_size: int = 256) -> Parser:
     Args:
         cache_size: number of parses that are kept
     Raises:
-        ModelError: the models are missing, or Stanza is not installed
+        ModelError: the models are missing, or ONNX Runtime is not installed
     """
-    return Parser(StanzaInference(model_dir=shipped_model_dir()), cache_size=cache_size)
+    return Parser(JointInference(model_dir=shipped_model_dir()), cache_size=cache_size)
