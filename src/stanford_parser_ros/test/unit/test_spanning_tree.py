@@ -1,6 +1,7 @@
 """The best tree is the best of all trees."""
 
 import itertools
+import tracemalloc
 from typing import List
 
 import numpy as np
@@ -32,3 +33,14 @@ def test_the_best_tree_is_the_best_of_all_trees() -> None:
             scores = -(chance.random((size, size)) ** 3) * 20.0
             best = max(every, key=lambda tree: sum(scores[word, tree[word]] for word in range(1, size)))
             assert heads_of_best_tree(scores) == best
+
+
+def test_a_long_text_takes_little_memory() -> None:
+    """A tree with many cycles on the way to it: the scores of all steps would take 80 MB here, and more elsewhere."""
+    scores = -np.random.default_rng(5).random((500, 500))
+    tracemalloc.start()
+    heads = heads_of_best_tree(scores)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert heads[1:].count(0) == 1
+    assert peak < 40 * 2**20
