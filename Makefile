@@ -14,13 +14,16 @@ ONLY ?=
 browser: setup
 	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
 
-.PHONY: help setup build demo run test acceptance reliability record format lint bench screenshots docs install clean
+.PHONY: help setup stanza build demo run test acceptance reliability record format lint bench screenshots docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
 
 setup: ## install system packages and the Python environment (root or sudo)
 	@scripts/setup
+
+stanza: setup ## install Stanza and torch too, which 'runtime: stanza', trainings and some tests need
+	@scripts/setup stanza
 
 build: setup ## build the workspace into devel/
 	@scripts/build
@@ -35,7 +38,7 @@ run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the o
 test: build browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
-acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
+acceptance: build stanza ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
 	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))
 
 reliability: build $(if $(ONLY),$(if $(findstring R14,$(ONLY)),browser),browser) ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
@@ -51,7 +54,7 @@ format: setup ## format the Python code, and apply the safe fixes of ruff
 lint: build ## check format, rules, types, packages and launch files; change nothing
 	@scripts/lint
 
-bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
+bench: build stanza ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
 
 screenshots: build browser ## make the pictures of the page in docs/pictures again, with a browser and simulated robots

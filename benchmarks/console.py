@@ -19,15 +19,12 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
 from measuring.own_graph import OwnGraph, end
-from measuring.processor_time import pid_of, processor_s
+from measuring.processor_time import processor_s
 from stage_latency import Measurement
 
 PORT = 18090
 URL = f"http://127.0.0.1:{PORT}/"
 IDLE_S = 20.0
-#: Memory that has not changed for so many seconds stands still.
-STILL_S = 8
-LONGEST_LOADING_S = 180
 TURNS, TEXTS = 5, 40
 EVENTS = 200
 LOADS = 5
@@ -217,27 +214,12 @@ def compare(measurement: Measurement) -> None:
         say(f"ratio of the medians, {what}", f"{ratio:.3f}   (at most 1.05)")
 
 
-def wait_for_stanza() -> None:
-    """Wait until the memory of the parser stands still: it parses without Stanza until that is loaded.
-
-    Raises:
-        SystemExit: it grows on
-    """
-    sizes: List[float] = []
-    while len(sizes) < STILL_S or max(sizes[-STILL_S:]) > 1.01 * min(sizes[-STILL_S:]):
-        if len(sizes) >= LONGEST_LOADING_S:
-            raise SystemExit(f"the parser still grows after {LONGEST_LOADING_S} s")
-        sizes.append(memory_mb(pid_of("/stanford_parser_ros")))
-        time.sleep(1.0)
-
-
 def measure(seconds: float) -> None:
     """Print the table."""
     import rospy
 
     try:
         measurement = Measurement(("pinging", "turning"))
-        wait_for_stanza()
         say("load of the machine at the start", " ".join(f"{value:.1f}" for value in os.getloadavg()))
         with console() as node:
             say("idle without a page", f"{share_of_core(node.pid, IDLE_S):.2f} % of a core   (at most 1)")

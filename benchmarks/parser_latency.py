@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares parsing a command, in both runtimes, with Stanza's own Pipeline call on the same models, in one run.
+"""Compares parsing a command, in both runtimes, with a stock Pipeline of Stanza on the same models, in one run.
 
 They are called in turn on the same sentences, so that a machine that is busy is busy for all. Each sentence is parsed
 once: the cache of parses does not help. Times of the processor stand beside those of the clock: they do not grow when
@@ -38,24 +38,24 @@ def timed(call: Callable[[str], object], text: str) -> Tuple[float, float]:
 
 def measure(threads: int) -> None:
     """Print one comparison; it runs in a separate process because torch fixes its threads at the start."""
-    from stanford_parser_ros.inference import PROCESSORS, StanzaInference, shipped_model_dir
-    from stanford_parser_ros.lean.inference import LeanInference
+    from stanford_parser_ros.inference import StanzaInference, processors_of, shipped_model_dir
+    from stanford_parser_ros.joint.inference import JointInference
     from stanford_parser_ros.model import Parser
 
+    start = time.perf_counter()
+    onnx = Parser(JointInference(model_dir=shipped_model_dir(), threads=threads))
+    onnx_ready_s = time.perf_counter() - start
     start = time.perf_counter()
     models = StanzaInference(model_dir=shipped_model_dir(), threads=threads)
     parser = Parser(models)
     ready_s = time.perf_counter() - start
-    start = time.perf_counter()
-    lean = Parser(LeanInference(model_dir=shipped_model_dir()))
-    lean_ready_s = time.perf_counter() - start
     import stanza
 
     pipeline = stanza.Pipeline(
         "en",
         dir=str(shipped_model_dir()),
-        package="default",
-        processors=PROCESSORS,
+        package=None,
+        processors=processors_of(shipped_model_dir(), "default", threads=threads),
         download_method=None,
         use_gpu=False,
         tokenize_no_ssplit=True,
@@ -67,8 +67,8 @@ def measure(threads: int) -> None:
         for number, pattern in zip(itertools.count(2), itertools.islice(itertools.cycle(PATTERNS), COUNT))
     ]
     calls: Dict[str, Callable[[str], object]] = {
+        "runtime onnx": onnx.parse,
         "runtime stanza": parser.parse,
-        "runtime lean": lean.parse,
         "stanza.Pipeline": pipeline,
     }
     times: Dict[str, List[Tuple[float, float]]] = {name: [] for name in calls}
@@ -77,8 +77,8 @@ def measure(threads: int) -> None:
         for name in names[number % 3 :] + names[: number % 3]:
             times[name].append(timed(calls[name], text))
     print(
-        f"threads {threads}: start to ready {ready_s:.1f} s, {models.load_times.torch_s:.1f} s of it importing torch; "
-        f"lean {lean_ready_s:.1f} s"
+        f"threads {threads}: start to ready onnx {onnx_ready_s:.1f} s; stanza {ready_s:.1f} s, "
+        f"{models.load_times.torch_s:.1f} s of it importing torch"
     )
     medians = {}
     for name, pairs in times.items():

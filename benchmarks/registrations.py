@@ -86,7 +86,7 @@ def main() -> int:
             port = free_port()
             environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
             pipeline = subprocess.Popen(
-                ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch", "runtime:=lean"]
+                ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
                 + [f"domains:={shipped}/domains, {folder}"],
                 env=environment,
                 stdout=subprocess.DEVNULL,

@@ -6,8 +6,8 @@ the next ten it sends bare ones through a relay, which answers them and sends ba
 in turn, so that a machine that is busy is busy for both. A text follows the last one after a pause, as when people
 speak; and then at once, as when a program does, when the processor still has in its caches what each process needs. To
 listen to the stages costs time, too: first the whole way is measured without that. The text is always the same, so the
-parser has its parse already: what is measured is everything else. The parser has the lean runtime, because Stanza would
-still be loading. Further arguments go to the launch file ("150 compact:=true").
+parser has its parse already: what is measured is everything else. Further arguments go to the launch file
+("150 compact:=true").
 """
 
 import os
@@ -204,7 +204,7 @@ def print_table(measurement: Measurement, count: int) -> int:
 
 def main(count: int, launch_arguments: Sequence[str]) -> int:
     """Start the pipeline, the relay and the measurement."""
-    launch = ["roboframenet_bringup", "pipeline.launch", "runtime:=lean", *launch_arguments]
+    launch = ["roboframenet_bringup", "pipeline.launch", *launch_arguments]
     with OwnGraph() as graph:
         graph.start(["roslaunch", "-p", str(graph.port), *launch])
         graph.start([sys.executable, os.path.abspath(__file__), "relay"])

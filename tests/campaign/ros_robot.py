@@ -117,7 +117,7 @@ class Robot:
         return time.monotonic() - begin_s
 
     def wait_until_settled(self) -> None:
-        """Wait until the memory of the parser stands still: it obeys before Stanza is loaded.
+        """Wait until the memory of the parser stands still: its first parses take some.
 
         Raises:
             AssertionError: it grows on

@@ -1,13 +1,25 @@
 """Parses with a packaged model, offline, for the scores and the tests."""
 
 from pathlib import Path
-from typing import Any, List, Sequence
+from typing import Any, Dict, List, Sequence
 
 from .conllu import Sentence, Word
 from .errors import TrainingError
 
 PACKAGE = "command"
-PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+PROCESSORS = ("tokenize", "mwt", "pos", "lemma", "depparse")
+#: Folder of the joint model beside a package.
+JOINT = "joint"
+
+
+def processors_of(folder: Path, *, pretokenized: bool = False) -> Dict[str, str]:
+    """Return what each of Stanza's processors loads: the package, or the joint model where it lies in the folder."""
+    found = {name: "default" for name in PROCESSORS if not (pretokenized and name == "mwt")}
+    if (folder / JOINT).is_dir():
+        from stanford_parser_ros.joint.stanza_variants import register
+
+        found.update(register(folder / JOINT))
+    return found
 
 
 class Parser:
@@ -24,12 +36,11 @@ class Parser:
         import torch
 
         torch.set_num_threads(1)
-        processors = "tokenize,pos,lemma,depparse" if pretokenized else PROCESSORS
         self._run = stanza.Pipeline(
             "en",
             dir=str(folder),
-            package="default",
-            processors=processors,
+            package=None,
+            processors=processors_of(folder, pretokenized=pretokenized),
             download_method=None,
             use_gpu=False,
             tokenize_pretokenized=pretokenized,

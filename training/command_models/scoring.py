@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Dict, Iterable, List, Sequence, Tuple
 
 from .conllu import Sentence, read, write
-from .pipeline import Parser
+from .pipeline import Parser, processors_of
 
 METRICS = ("Tokens", "Sentences", "Words", "UPOS", "XPOS", "UFeats", "Lemmas", "UAS", "LAS", "CLAS", "MLAS")
 
@@ -41,8 +41,8 @@ def on_raw_text(model: Path, gold: Path) -> Dict[str, float]:
     run = stanza.Pipeline(
         "en",
         dir=str(model),
-        package="default",
-        processors="tokenize,mwt,pos,lemma,depparse",
+        package=None,
+        processors=processors_of(model),
         download_method=None,
         use_gpu=False,
         logging_level="ERROR",

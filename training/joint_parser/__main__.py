@@ -1,4 +1,4 @@
-"""Command line: build, prepare, train, score, export. ``python -m joint_parser build --help``."""
+"""Command line: build, prepare, train, score, export, export-words. ``python -m joint_parser build --help``."""
 
 import argparse
 import json
@@ -47,6 +47,10 @@ def _arguments() -> argparse.ArgumentParser:
     export.add_argument("--data", type=Path, required=True)
     export.add_argument("--model", type=Path, required=True)
     export.add_argument("--out", type=Path, required=True)
+    words = commands.add_parser("export-words", help="tokenizer and lemmatizer of a Stanza package for ONNX Runtime")
+    words.add_argument("--package", type=Path, required=True, help="folder that 'command_models pack' wrote")
+    words.add_argument("--name", default="command", help="of the package in that folder")
+    words.add_argument("--out", type=Path, required=True)
     return parser
 
 
@@ -84,6 +88,10 @@ def _run(options: Any) -> None:
         from joint_parser.running import score
 
         print(json.dumps(score(options), indent=1))
+    elif options.action == "export-words":
+        from joint_parser.words import export_words
+
+        export_words(options.package, options.out, name=options.name)
     else:
         from joint_parser.export import export
 

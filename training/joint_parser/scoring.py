@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from joint_parser.data import Batches, Example, Labels
-from stanford_parser_ros.lean.spanning_tree import heads_of_best_tree
+from stanford_parser_ros.joint.spanning_tree import heads_of_best_tree
 
 
 class Parsed(NamedTuple):

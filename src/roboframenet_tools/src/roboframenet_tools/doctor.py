@@ -7,7 +7,10 @@ import sys
 from typing import List
 
 from roboframenet_tools.finding import Finding
-from stanford_parser_ros.inference import ModelError, check_model_folder, shipped_model_dir
+from stanford_parser_ros.inference import JOINT, ModelError, shipped_model_dir
+from stanford_parser_ros.joint.model_folder import read_joint_folder
+from stanford_parser_ros.words.word_folder import read_word_folder
+from stanford_parser_ros.words.words import FOLDER
 
 EXAMPLES = """examples:
   rfn doctor
@@ -25,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the findings; return the exit status."""
-    findings = [interpreter(), library("stanza"), library("torch"), library("rospy"), models(), host_name()]
+    findings = [interpreter(), library("onnxruntime"), library("rospy"), models(), host_name()]
     if not arguments.no_master:
         try:
             from roboframenet_tools.ros_doctor import graph_findings
@@ -59,12 +62,14 @@ def library(name: str) -> Finding:
 
 
 def models() -> Finding:
-    """Check the models of the parser."""
+    """Check the models of the parser by their sums."""
     folder = shipped_model_dir()
     try:
-        check_model_folder(folder, "default")
+        read_joint_folder(folder / JOINT)
+        read_word_folder(folder / FOLDER)
     except ModelError as error:
-        return Finding("models", str(error), "restore the folder models of stanford_parser_ros")
+        what, _, advice = str(error).rpartition("; ")
+        return Finding("models", what, advice)
     return Finding("models", str(folder))
 
 

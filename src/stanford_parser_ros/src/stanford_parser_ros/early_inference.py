@@ -1,13 +1,13 @@
-"""Parses from the first second on: the lean runtime answers until Stanza is loaded, or where the joint model is not."""
+"""Which runtime answers: ONNX Runtime until Stanza is loaded, and Stanza where ONNX Runtime has nothing to compute."""
 
 import ctypes
-import importlib.util
 import threading
 import time
 from pathlib import Path
-from typing import Callable, Optional, Union
+from typing import Callable
 
 from stanford_parser_ros.inference import Inference, ModelError, StanzaInference
+from stanford_parser_ros.joint.inference import JointInference
 from utterance_passes.tree import DependencyTree
 
 
@@ -64,22 +64,6 @@ def _give_back_memory() -> None:
         trim(0)
 
 
-def lean_first(model_dir: Path, package: str) -> Optional[Inference]:
-    """Load the lean runtime for the time until Stanza is loaded.
-
-    Returns:
-        None where Stanza is not installed or the lean runtime does not know the models: Stanza then says what is wrong
-    """
-    if not all(map(importlib.util.find_spec, ("torch", "stanza"))):
-        return None
-    try:
-        from stanford_parser_ros.lean.inference import LeanInference
-
-        return LeanInference(model_dir=model_dir, package=package)
-    except (ModelError, ImportError):
-        return None
-
-
 def load_stanza(
     *,
     model_dir: Path,
@@ -87,44 +71,46 @@ def load_stanza(
     threads: int,
     on_loaded: Callable[[float], None],
     on_failed: Callable[[ModelError], None],
-) -> Union[StanzaInference, EarlyInference]:
-    """Load Stanza, and have the lean runtime answer meanwhile where it can.
+) -> Inference:
+    """Load Stanza, and have ONNX Runtime answer meanwhile where it can, or for good where Stanza cannot be loaded.
 
     Args:
         model_dir: folder of the models
         package: name of a package in that folder
-        threads: of torch
+        threads: of torch and ONNX Runtime
         on_loaded: called, from another thread, with the seconds that it took when Stanza is loaded later
         on_failed: called, from another thread, with the reason when it cannot be loaded later
     Raises:
-        ModelError: neither can be loaded
+        ModelError: neither can be loaded; it says why Stanza cannot
     """
 
     def load() -> StanzaInference:
         return StanzaInference(model_dir=model_dir, package=package, threads=threads)
 
-    first = lean_first(model_dir, package)
-    return load() if first is None else EarlyInference(first, load, on_loaded=on_loaded, on_failed=on_failed)
+    try:
+        first = JointInference(model_dir=model_dir, package=package, threads=threads)
+    except ModelError:
+        return load()  # it says what is wrong
+    return EarlyInference(first, load, on_loaded=on_loaded, on_failed=on_failed)
 
 
 def load_onnx(*, model_dir: Path, package: str, threads: int, on_failed: Callable[[ModelError], None]) -> Inference:
-    """Load the joint model, or the lean runtime where that cannot be loaded.
+    """Load the joint model, or Stanza where that cannot be loaded.
 
     Args:
-        model_dir: folder of the models, with ``joint`` in it
+        model_dir: folder of the models
         package: name of a package in that folder
         threads: of ONNX Runtime
-        on_failed: called with the reason why the lean runtime answers
+        on_failed: called with the reason why Stanza answers
     Raises:
-        ModelError: neither can be loaded
+        ModelError: neither can be loaded; it says why ONNX Runtime cannot
     """
-    from stanford_parser_ros.joint.inference import JointInference
-
     try:
         return JointInference(model_dir=model_dir, package=package, threads=threads)
     except ModelError as error:
-        from stanford_parser_ros.lean.inference import LeanInference
-
-        lean = LeanInference(model_dir=model_dir, package=package)
+        try:
+            stanza = StanzaInference(model_dir=model_dir, package=package, threads=threads)
+        except ModelError:  # not installed, mostly
+            raise error from None
         on_failed(error)
-        return lean
+        return stanza

@@ -5,12 +5,14 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, List, Protocol
+from typing import Any, Dict, List, Protocol
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+#: Folder of the joint model beside those of a package; where it is, tags, heads and relations come from it.
+JOINT = "joint"
 #: Used where the package has it: official packages do, the shipped one does not.
 CONSTITUENCY = "constituency"
 #: Parsed once at start: the first sentence costs several times as much as the others.
@@ -63,25 +65,52 @@ class LoadTimes:
         return self.torch_s + self.stanza_s + self.models_s + self.warm_up_s
 
 
+_HINT = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
+
+
+def check_is_folder(folder: Path) -> None:
+    """Check that there is a folder of models.
+
+    Raises:
+        ModelError: there is none
+    """
+    if not folder.is_dir():
+        raise ModelError(f"no model folder {folder} ({_HINT})")
+
+
 def check_model_folder(folder: Path, package: str) -> None:
-    """Check that a folder holds a Stanza package of English.
+    """Check that a folder holds a Stanza package of English; what the joint model does need not be in it.
 
     Raises:
         ModelError: the folder holds none
     """
-    hint = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
-    if not folder.is_dir():
-        raise ModelError(f"no model folder {folder} ({hint})")
+    check_is_folder(folder)
     if not (folder / "resources.json").is_file():
-        raise ModelError(f"{folder} holds no resources.json, so it is no folder of Stanza models ({hint})")
+        raise ModelError(f"{folder} holds no resources.json, so it is no folder of Stanza models ({_HINT})")
+    by_joint = ("pos", "depparse") if (folder / JOINT).is_dir() else ()
     for processor in PROCESSORS.split(","):
-        if not any((folder / "en" / processor).glob("*.pt")):
-            raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({hint})")
+        if processor not in by_joint and not any((folder / "en" / processor).glob("*.pt")):
+            raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({_HINT})")
 
 
-def processors_of(folder: Path) -> str:
-    """Return the processors to load from a folder, in the form that Stanza expects."""
-    return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
+def processors_of(folder: Path, package: str, *, threads: int = 1) -> Dict[str, str]:
+    """Return what each of Stanza's processors loads: a package of a folder, or the joint model where that lies in it.
+
+    Args:
+        folder: of the models
+        package: name of a package in it
+        threads: of ONNX Runtime
+    Raises:
+        ModelError: the joint model is there, and cannot be loaded
+    """
+    found = dict.fromkeys(PROCESSORS.split(","), package)
+    if any((folder / "en" / CONSTITUENCY).glob("*.pt")):
+        found[CONSTITUENCY] = package
+    if (folder / JOINT).is_dir():
+        from stanford_parser_ros.joint.stanza_variants import register
+
+        found.update(register(folder / JOINT, threads=threads))
+    return found
 
 
 def shipped_model_dir() -> Path:
@@ -104,14 +133,17 @@ def shipped_model_dir() -> Path:
 
 
 class StanzaInference:
-    """The answers of one Stanza package; nothing is ever downloaded."""
+    """The answers of one Stanza package; nothing is ever downloaded.
+
+    Where the joint model lies in the folder, tags, heads and relations are its own.
+    """
 
     def __init__(self, *, model_dir: Path, package: str = "default", threads: int = 1) -> None:
         """
         Args:
             model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
             package: name of a package in that folder
-            threads: of torch; one is fastest and steadiest for single short sentences
+            threads: of torch and ONNX Runtime; one is fastest and steadiest for single short sentences
         Raises:
             ModelError: the models are missing, or Stanza is not installed
         """
@@ -125,19 +157,20 @@ class StanzaInference:
             from stanza.models.common.doc import Document
         except ImportError as error:
             raise ModelError(
-                f"Stanza is not installed for {sys.executable} ({error}): run 'make setup' in RoboFrameNet's clone, "
+                f"Stanza is not installed for {sys.executable} ({error}): run 'make stanza' in RoboFrameNet's clone, "
                 "and build with -DPYTHON_EXECUTABLE=CLONE/.venv/bin/python"
             ) from error
         torch.set_num_threads(threads)
         self._inference_mode: Any = torch.inference_mode
         self._document: Any = Document
         stanza_done = time.monotonic()
+        processors = processors_of(model_dir, package, threads=threads)
         try:
             self._pipeline: Any = stanza.Pipeline(
                 "en",
                 dir=str(model_dir),
-                package=package,
-                processors=processors_of(model_dir),
+                package=None,
+                processors=processors,
                 download_method=None,
                 use_gpu=False,
                 tokenize_no_ssplit=True,

@@ -35,9 +35,9 @@ WAKE_UP_S = 1.0
 class Runtime(enum.Enum):
     """What computes the models."""
 
+    ONNX = "onnx"
     STANZA = "stanza"
     LEAN = "lean"
-    ONNX = "onnx"
 
 
 @dataclass(frozen=True)
@@ -47,9 +47,9 @@ class Settings(Parameters):
     Attributes:
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
-        runtime: Stanza itself, before which the lean runtime answers while it is loaded; or only the lean runtime: the
-            same trees sooner, for packages like the shipped one; or the joint model in ONNX Runtime, with other trees
-        threads: of torch or ONNX Runtime; the lean runtime always has one
+        runtime: ONNX Runtime; or Stanza with torch, for other packages than the shipped one, before which ONNX Runtime
+            answers while it is loaded; ``lean`` is an older name of ``onnx``
+        threads: of ONNX Runtime and torch
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
         trace: whether events say what the passes changed
@@ -60,7 +60,7 @@ class Settings(Parameters):
 
     model_dir: str = parameter("")
     package: str = parameter("default")
-    runtime: Runtime = parameter(Runtime.STANZA)
+    runtime: Runtime = parameter(Runtime.ONNX)
     threads: int = parameter(1, least=1, most=64)
     cache_size: int = parameter(256, least=1, most=100_000)
     queue_size: int = parameter(100, least=1, most=10_000)
@@ -111,20 +111,18 @@ class ParserNode:
         """
         folder = Path(self._settings.model_dir).expanduser() if self._settings.model_dir else shipped_model_dir()
         package = self._settings.package or Settings.package
-        if self._settings.runtime is Runtime.LEAN:
-            from stanford_parser_ros.lean.inference import LeanInference  # only this runtime needs numpy
-
-            return LeanInference(model_dir=folder, package=package)
-        if self._settings.runtime is Runtime.ONNX:
-            return load_onnx(
-                model_dir=folder, package=package, threads=self._settings.threads, on_failed=self._on_onnx_failed
+        if self._settings.runtime is Runtime.STANZA:
+            return load_stanza(
+                model_dir=folder,
+                package=package,
+                threads=self._settings.threads,
+                on_loaded=self._on_stanza_loaded,
+                on_failed=self._on_stanza_failed,
             )
-        return load_stanza(
-            model_dir=folder,
-            package=package,
-            threads=self._settings.threads,
-            on_loaded=self._on_stanza_loaded,
-            on_failed=self._on_stanza_failed,
+        if self._settings.runtime is Runtime.LEAN:
+            rospy.logwarn("~runtime: lean is now onnx, with other models; say onnx")
+        return load_onnx(
+            model_dir=folder, package=package, threads=self._settings.threads, on_failed=self._on_onnx_failed
         )
 
     def _on_stanza_loaded(self, time_s: float) -> None:
@@ -133,11 +131,11 @@ class ParserNode:
         rospy.loginfo("Stanza was loaded in %.1f s, and parses from now on", time_s)
 
     def _on_onnx_failed(self, error: ModelError) -> None:
-        self._trouble = f"The lean runtime parses, because the joint model cannot be loaded: {error}"
+        self._trouble = f"Stanza parses, because ONNX Runtime cannot: {error}"
         rospy.logerr("%s", self._trouble)
 
     def _on_stanza_failed(self, error: ModelError) -> None:
-        self._trouble = f"The lean runtime parses, because Stanza cannot be loaded: {error}"
+        self._trouble = f"ONNX Runtime parses, because Stanza cannot be loaded: {error}"
         rospy.logerr("%s", self._trouble)
 
     def health(self) -> Health:

@@ -9,14 +9,13 @@ from unittest import mock
 
 import pytest
 
-from stanford_parser_ros import early_inference
+from stanford_parser_ros.checked_folder import MANIFEST
 from stanford_parser_ros.inference import ModelError, shipped_model_dir
-from stanford_parser_ros.joint.inference import JointInference, Reading, described
-from stanford_parser_ros.joint.model_folder import MANIFEST, NETWORK, PIECES, read_joint_folder
+from stanford_parser_ros.joint.inference import Reading, described
+from stanford_parser_ros.joint.model_folder import NETWORK, PIECES, read_joint_folder
 from stanford_parser_ros.joint.network import MOST_PIECES, Alternative, JointNetwork, pool
 from stanford_parser_ros.joint.pieces import SHAPES, PieceVocabulary, shape
 from stanford_parser_ros.joint.windows import windows
-from stanford_parser_ros.lean.inference import LeanInference
 from utterance_passes.tree import DependencyTree, Word
 
 #: A network of few weights that knows nothing; ``training/joint_parser/tiny.py`` makes it.
@@ -147,21 +146,6 @@ def test_described_names_the_words_that_may_hang_elsewhere() -> None:
     assert described(Reading(tree, governors)) == ("it: obj of put 70%, root 26%",)
 
 
-def test_the_runtime_answers_with_words_lemmas_and_governors() -> None:
-    models = JointInference(model_dir=shipped_model_dir(), joint_dir=TINY)
-    text = "Don't bring the mugs."
-    reading = models.read(text)
-    assert [one.form for one in reading.tree.words] == ["Do", "n't", "bring", "the", "mugs", "."]
-    assert [text[one.start_character : one.end_character] for one in reading.tree.words][2:] == [
-        "bring",
-        "the",
-        "mugs",
-        ".",
-    ]
-    assert len(reading.governors) == len(reading.tree.words)
-    assert models.parse(text) == reading.tree == models.reparse(reading.tree)
-
-
 def test_a_file_that_was_cut_is_one_clear_error(folder: Path) -> None:
     path = folder / NETWORK
     path.write_bytes(path.read_bytes()[:-10])
@@ -198,18 +182,6 @@ def test_another_file_than_a_network_is_one_clear_error(folder: Path) -> None:
 def test_without_onnx_runtime_the_command_that_installs_it_is_named() -> None:
     with mock.patch.dict("sys.modules", {"onnxruntime": None}), pytest.raises(ModelError, match="make setup"):
         JointNetwork(TINY)
-
-
-def test_the_lean_runtime_answers_where_the_joint_model_is_missing() -> None:
-    reasons: List[ModelError] = []
-    with mock.patch(
-        "stanford_parser_ros.joint.inference.JointInference.__init__", side_effect=ModelError("no joint model")
-    ):
-        found = early_inference.load_onnx(
-            model_dir=shipped_model_dir(), package="default", threads=1, on_failed=reasons.append
-        )
-    assert isinstance(found, LeanInference)
-    assert [str(reason) for reason in reasons] == ["no joint model"]
 
 
 def test_the_variant_of_stanza_gives_the_same_trees(network: JointNetwork) -> None:

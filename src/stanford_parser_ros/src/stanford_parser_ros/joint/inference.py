@@ -1,17 +1,14 @@
-"""The joint model as a runtime: words and lemmas of a Stanza package, tags and dependencies of the network."""
+"""The joint model as a runtime: words and lemmas, tags and dependencies, all in ONNX Runtime."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional, Tuple
 
-from stanford_parser_ros.inference import WARM_UP, check_model_folder
+from stanford_parser_ros.inference import JOINT, WARM_UP, check_is_folder
 from stanford_parser_ros.joint.network import Alternative, JointNetwork
-from stanford_parser_ros.lean.words import Words, model_files
+from stanford_parser_ros.words.words import FOLDER, Words
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-
-#: Folder of the joint model beside those of Stanza's.
-FOLDER = "joint"
 
 
 @dataclass(frozen=True)
@@ -35,16 +32,16 @@ class JointInference:
     ) -> None:
         """
         Args:
-            model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
-            package: name of a package in that folder, of which words and lemmas are
+            model_dir: folder with ``joint`` and ``words`` in it
+            package: name of the Stanza package of which the words have to be; ``default`` is any
             joint_dir: folder of the joint model; by default ``joint`` in that folder
             threads: of ONNX Runtime
         Raises:
             ModelError: the models are missing or others than were packed, or ONNX Runtime is not installed
         """
-        check_model_folder(model_dir, package)
-        self._words = Words(model_files(model_dir, package))
-        self._network = JointNetwork(joint_dir or model_dir / FOLDER, threads=threads)
+        check_is_folder(model_dir)
+        self._words = Words(model_dir / FOLDER, package=package)
+        self._network = JointNetwork(joint_dir or model_dir / JOINT, threads=threads)
         self.parse(WARM_UP)
 
     def parse(self, text: str) -> DependencyTree:

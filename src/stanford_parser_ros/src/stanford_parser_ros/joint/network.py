@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
-from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.joint.model_folder import read_joint_folder
 from stanford_parser_ros.joint.pieces import Pieces, PieceVocabulary
+from stanford_parser_ros.joint.spanning_tree import heads_of_best_tree
 from stanford_parser_ros.joint.windows import Window, windows
-from stanford_parser_ros.lean.spanning_tree import heads_of_best_tree
+from stanford_parser_ros.onnx_session import onnx_session
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -72,25 +72,7 @@ class JointNetwork:
             ModelError: a file is missing or another than was packed, or ONNX Runtime is not installed
         """
         files = read_joint_folder(folder)
-        try:
-            import onnxruntime
-        except ImportError as error:
-            raise ModelError(
-                f"ONNX Runtime is not installed ({error}): run 'make setup' in RoboFrameNet's clone, or set "
-                "~runtime to stanza"
-            ) from error
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = threads
-        options.inter_op_num_threads = 1
-        # An arena would keep the memory of the longest text.
-        options.enable_cpu_mem_arena = False
-        options.log_severity_level = 3
-        try:
-            self._session = onnxruntime.InferenceSession(
-                str(files.network), options, providers=["CPUExecutionProvider"]
-            )
-        except Exception as error:  # boundary: ONNX Runtime raises many kinds of errors for a file that it cannot read
-            raise ModelError(f"ONNX Runtime cannot load {folder}: {type(error).__name__}: {error}") from error
+        self._session = onnx_session(files.network, threads=threads)
         self._labels = files.labels
         self._root = files.labels["deprel"].index("root")
         self._unknown = np.zeros(len(files.labels["deprel"]), np.float32)

@@ -15,7 +15,7 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
         folder: of the joint model
         threads: of ONNX Runtime
     Returns:
-        the processors to hand to ``stanza.Pipeline``, whose other models are those of the default package
+        the processors to hand to ``stanza.Pipeline``, beside those of a package
     Raises:
         ModelError: the model cannot be loaded
         ImportError: Stanza is not installed
@@ -24,7 +24,7 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
 
     network = JointNetwork(folder, threads=threads)
 
-    class Analyser(ProcessorVariant):  # type: ignore[misc]  # Stanza has no types
+    class Tags(ProcessorVariant):  # type: ignore[misc]  # Stanza has no types
         """Fills tags, heads and relations."""
 
         OVERRIDE = True
@@ -42,8 +42,8 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
                     word.head, word.deprel = found.heads[number], found.relations[number]
             return document
 
-    class Keeper(ProcessorVariant):  # type: ignore[misc]
-        """Makes Stanza's list of dependencies of the heads that are there."""
+    class Dependencies(ProcessorVariant):  # type: ignore[misc]
+        """Makes Stanza's list of dependencies of the heads, which it finds for tags that were given."""
 
         OVERRIDE = True
 
@@ -53,9 +53,13 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
         def process(self, document: Any) -> Any:
             """Complete the sentences of a document."""
             for sentence in document.sentences:
+                if any(word.head is None for word in sentence.words):
+                    found = network.analyse([word.text for word in sentence.words])
+                    for word, head, relation in zip(sentence.words, found.heads, found.relations):
+                        word.head, word.deprel = head, relation
                 sentence.build_dependencies()
             return document
 
-    PROCESSOR_VARIANTS["pos"][NAME] = Analyser
-    PROCESSOR_VARIANTS["depparse"][NAME] = Keeper
-    return {"tokenize": "default", "mwt": "default", "pos": NAME, "lemma": "default", "depparse": NAME}
+    PROCESSOR_VARIANTS["pos"][NAME] = Tags
+    PROCESSOR_VARIANTS["depparse"][NAME] = Dependencies
+    return {"pos": NAME, "depparse": NAME}

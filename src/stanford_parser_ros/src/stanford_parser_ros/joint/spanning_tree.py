@@ -33,29 +33,35 @@ def heads_of_best_tree(scores: "NDArray[Any]") -> List[int]:
 
 def _best_tree(scores: "NDArray[Any]") -> List[int]:
     """Return the head of each node; node 0 is the root."""
-    heads: List[int] = scores.argmax(axis=1).tolist()
-    heads[0] = 0
-    cycle = _cycle(heads)
-    if cycle is None:
-        return heads
-    # The nodes of the cycle become one node, the last. Whoever enters the cycle replaces one of its arcs.
-    others = [node for node in range(len(heads)) if node not in cycle]
-    entering = scores[np.ix_(cycle, others)] - scores[cycle, [heads[node] for node in cycle]][:, None]
-    leaving = scores[np.ix_(others, cycle)]
-    count = len(others)
-    contracted = np.full((count + 1, count + 1), -np.inf)
-    contracted[:count, :count] = scores[np.ix_(others, others)]
-    contracted[count, :count] = entering.max(axis=0)
-    contracted[:count, count] = leaving.max(axis=1)
-    found = _best_tree(contracted)
-    result = list(heads)
-    for number, node in enumerate(others):
-        head = found[number]
-        result[node] = others[head] if head < count else cycle[int(leaving[number].argmax())]
-    entry = found[count]
-    result[cycle[int(entering[:, entry].argmax())]] = others[entry]
-    result[0] = 0
-    return result
+    # Of each step, only what leads back: the scores of all steps of a long text would take hundreds of megabytes.
+    steps = []
+    while True:
+        heads: List[int] = scores.argmax(axis=1).tolist()
+        heads[0] = 0
+        cycle = _cycle(heads)
+        if cycle is None:
+            break
+        # The nodes of the cycle become one node, the last. Whoever enters the cycle replaces one of its arcs.
+        others = [node for node in range(len(heads)) if node not in cycle]
+        entering = scores[np.ix_(cycle, others)] - scores[cycle, [heads[node] for node in cycle]][:, None]
+        leaving = scores[np.ix_(others, cycle)]
+        count = len(others)
+        contracted = np.full((count + 1, count + 1), -np.inf)
+        contracted[:count, :count] = scores[np.ix_(others, others)]
+        contracted[count, :count] = entering.max(axis=0)
+        contracted[:count, count] = leaving.max(axis=1)
+        steps.append((heads, cycle, others, entering.argmax(axis=0).tolist(), leaving.argmax(axis=1).tolist()))
+        scores = contracted
+    for before, cycle, others, entries, exits in reversed(steps):
+        result = list(before)
+        for number, node in enumerate(others):
+            head = heads[number]
+            result[node] = others[head] if head < len(others) else cycle[exits[number]]
+        entry = heads[len(others)]
+        result[cycle[entries[entry]]] = others[entry]
+        result[0] = 0
+        heads = result
+    return heads
 
 
 def _cycle(heads: List[int]) -> Optional[List[int]]:
