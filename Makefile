@@ -35,7 +35,7 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot, VOICE=1 to talk to it)
 	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
-test: build browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+test: build stanza browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
 acceptance: build stanza ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
