@@ -78,6 +78,26 @@ class FleetTest(unittest.TestCase):
                 # A machine under load may hold a robot up for a moment, and it goes on; what was stopped stands.
                 wait_until(lambda robot=robot: self.robots.seen[robot].speed > 0.1, 10.0, f"{text} stopped {robot}")
 
+    def test_3b_an_emergency_stop_holds_whom_it_is_for(self) -> None:
+        self.robots.all_move()
+        reply = self.robots.ask("Alpha, emergency stop.")
+        self.assertIn("has held since", reply.sentence)
+        self.assertTrue(self.robots.stand(("alpha",)))
+        self.robots.ask("Beta and Gamma, stop.")
+        before = self.poses_at_rest()
+        for text, to in (("Alpha, turn left 20 degrees.", ""), ("Turn left 20 degrees.", "alpha")):
+            reply = self.robots.ask(text, to=to)
+            self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "EMERGENCY_STOP"), reply.sentence)
+        self.assertEqual(self.robots.who_moved(before), ())
+        self.assert_moves("Beta and Gamma, turn left 20 degrees.", "beta", "gamma")
+        reply = self.robots.ask("Emergency stop.")
+        self.assertEqual(reply.code, "DONE", reply.sentence)
+        before = self.poses_at_rest()
+        self.robots.ask("Everybody, turn left 20 degrees.")
+        self.assertEqual(self.robots.who_moved(before), ())
+        self.assertEqual(self.robots.ask("Everybody, release the emergency stop.").code, "DONE")
+        self.assert_moves("Everybody, turn left 20 degrees.", *ROBOTS)
+
     def test_4_each_robot_keeps_its_standing_orders(self) -> None:
         def waits_for(text: str) -> str:
             return self.robots.ask(text).sentence
