@@ -3,7 +3,7 @@
 from typing import Iterable, Mapping, NamedTuple, Tuple
 
 from semantic_framer.rules import RULES
-from utterance_passes.table import PASSES
+from utterance_passes.table import NODES, PASSES
 
 #: The stage of the rules that are no passes.
 FRAMER = "framer"
@@ -18,7 +18,7 @@ class NamedRule(NamedTuple):
 
 #: The passes in their order, then the rules of the framer, by their names in the trace.
 NAMED_RULES: Mapping[str, NamedRule] = {
-    **{one.name: NamedRule(one.stage.value, one.what) for one in PASSES},
+    **{one.name: NamedRule(NODES[one.name], one.what) for one in PASSES},
     **{name: NamedRule(FRAMER, what) for name, what in RULES.items()},
 }
 

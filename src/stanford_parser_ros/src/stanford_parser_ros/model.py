@@ -15,8 +15,7 @@ from utterance_passes.running import (
     run_word_passes,
 )
 from utterance_passes.spelling import Spelling, stripped
-from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES
-from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
+from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TEXT_PASSES, WORD_PASSES
 from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import at_origins, joined, with_words_around

@@ -8,10 +8,19 @@ of the first.
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
-from utterance_passes.phrase_groups import JOINING, Group, Kind, Phrase, groups_of, tells_several, with_names_apart
+from utterance_passes.phrase_groups import (
+    JOINING,
+    Group,
+    Phrase,
+    PhraseKind,
+    groups_of,
+    tells_several,
+    with_names_apart,
+)
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_argument_clusters
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class, word_list
 
 #: "Go back one foot and six inches *now*" is one way.
@@ -20,9 +29,24 @@ _TURNS = tuple([side] for side in word_list("left_and_right"))
 _BEFORE_AN_OBJECT = frozenset(["DET", "ADJ", "NUM", "NOUN", "PROPN", "SYM"])
 
 
-def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Attach each group of phrases that share a verb to the verb, and mark the groups: ``find_clauses`` turns each into
-    a clause. If groups end alike but differ before that, their phrases get the relation ``dep``, which no unit knows.
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "put|VERB|0|root mugs|NOUN|1|obj on|ADP|4|case tables|NOUN|1|obl and|CCONJ|6|cc plates|NOUN|4|conj "
+        "in|ADP|8|case sinks|NOUN|1|obl",
+        (
+            "plates: conj(tables) -> obj(put)",
+            "mugs on tables: a clause of its own",
+            "and plates in sinks: a clause of its own",
+        ),
+        Verbs(frozenset(["put"])),
+    ),
+)
+def argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Turn each group of phrases that share a verb into a clause.
+
+    They become phrases of the verb, and the groups are marked: ``find_clauses`` turns each into a clause. If
+    groups end alike but differ before that, their phrases get the relation ``dep``, which no unit knows.
     """
     if not any(word.form.lower() in JOINING for word in tree.words):
         return tree
@@ -57,7 +81,7 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     if not all(len(group) == length and _ends_alike(model, group) for group in others):
         # "On the table *in front of the window*" is one place.
         model, behind = first[:length], first[length:]
-        is_place = all(phrase.kind is Kind.PREPOSITION for phrase in (model[-1], *behind))
+        is_place = all(phrase.kind is PhraseKind.PREPOSITION for phrase in (model[-1], *behind))
         if not is_place or not all(one.is_like(other) for group in others for one, other in zip(model, group)):
             return []
     if not all(one.is_like(other) for group in others for one, other in zip(model, group)):
@@ -109,22 +133,22 @@ def _ends_alike(model: Group, group: Group) -> bool:
 
 def _hang(tree: DependencyTree, clause: Clause, model: Group, group: Group, edit: TreeEdit) -> None:
     """Attach the phrases of a group in the same way as those of the first group."""
-    nouns = [phrase for phrase in model if phrase.kind is Kind.NOUN]
+    nouns = [phrase for phrase in model if phrase.kind is PhraseKind.NOUN]
     for like, phrase in zip(model, group):
         head = tree.word(like.head)
-        if phrase.kind is Kind.NOUN and len(nouns) == 2:
+        if phrase.kind is PhraseKind.NOUN and len(nouns) == 2:
             deprel = "iobj" if like is nouns[0] and not _is_measure(tree, nouns[1]) else "obj"
-        elif phrase.kind is Kind.NOUN:
+        elif phrase.kind is PhraseKind.NOUN:
             deprel = "obj"
-        elif phrase.kind is Kind.PREPOSITION:
+        elif phrase.kind is PhraseKind.PREPOSITION:
             deprel = "obl"
         else:
             deprel = head.deprel if head.deprel == "compound:prt" else "advmod"
-        if phrase.kind is Kind.NOUN and _is_measure(tree, phrase):
+        if phrase.kind is PhraseKind.NOUN and _is_measure(tree, phrase):
             deprel = "obl:unmarked"
         governor = clause.verb
         # If "the mug on the table" was one phrase, it stays one.
-        if phrase.kind is Kind.PREPOSITION and like is not model[0] and head.head == model[0].head:
+        if phrase.kind is PhraseKind.PREPOSITION and like is not model[0] and head.head == model[0].head:
             governor, deprel = group[0].head, "nmod"
         inside = {word.index for word in phrase.words}
         for word in phrase.words:
@@ -136,9 +160,9 @@ def _hang(tree: DependencyTree, clause: Clause, model: Group, group: Group, edit
 def _ways(tree: DependencyTree, groups: Sequence[Group]) -> Optional[List[Group]]:
     """Return groups of a way and its measure, all in one order: "*two metres forward*, *left 90 degrees*"; None if one
     of them is something else."""
-    ordered = [group[::-1] if group[0].kind is Kind.NOUN else group for group in groups]
+    ordered = [group[::-1] if group[0].kind is PhraseKind.NOUN else group for group in groups]
     is_way = all(
-        [phrase.kind for phrase in group] == [Kind.ADVERB, Kind.NOUN]
+        [phrase.kind for phrase in group] == [PhraseKind.ADVERB, PhraseKind.NOUN]
         and tree.word(group[0].head).form.lower() in _DIRECTIONS
         and _is_measure(tree, group[1])
         for group in ordered
@@ -155,11 +179,11 @@ def _with_lists_as_one(groups: Sequence[Group]) -> List[Group]:
     found: List[Group] = []
     waiting: List[Word] = []
     for group in groups:
-        if waiting and group[0].kind is Kind.NOUN:
-            group = (Phrase(Kind.NOUN, (*waiting, *group[0].words)), *group[1:])
+        if waiting and group[0].kind is PhraseKind.NOUN:
+            group = (Phrase(PhraseKind.NOUN, (*waiting, *group[0].words)), *group[1:])
             waiting = []
-        if len(group) == 1 and group[0].kind is Kind.NOUN:
+        if len(group) == 1 and group[0].kind is PhraseKind.NOUN:
             waiting = list(group[0].words)
         else:
             found.append(group)
-    return found if not waiting else [*found, (Phrase(Kind.NOUN, tuple(waiting)),)]
+    return found if not waiting else [*found, (Phrase(PhraseKind.NOUN, tuple(waiting)),)]

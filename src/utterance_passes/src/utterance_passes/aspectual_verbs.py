@@ -6,7 +6,8 @@ from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _ASPECTUAL_VERBS = word_class("aspectual_verbs")
@@ -16,9 +17,19 @@ _MARKS = frozenset(["to", "by"])
 _CLAUSES = frozenset(["xcomp", "advcl"])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "start|VERB|0|root turning|VERB|1|xcomp|turn|VBG",
+        ("start: root -> discourse:aside(turning)", "turning: xcomp(start) -> root"),
+        Verbs(frozenset(["turn"])),
+    ),
+)
 @only_with_lemmas(_ASPECTUAL_VERBS)
-def without_aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set an aspectual verb of a command aside, and let its deed take its place.
+def aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Replace "start moving", "continue to move" and the like by "move".
+
+    The aspectual verb is set aside.
 
     "I started moving" and "the robot keeps moving" are no commands. A verb that the lexicon has with its deed ("keep
     moving") stays.

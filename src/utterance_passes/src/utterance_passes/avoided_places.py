@@ -5,6 +5,7 @@ from typing import FrozenSet, Optional, Tuple
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -21,9 +22,16 @@ _WAY = frozenset(["way", "route"])
 _WITHOUT = frozenset(["without"])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl avoiding|VERB|1|advcl|avoid|VBG halls|NOUN|4|obj",
+        ("avoiding: advcl(go) VERB/avoid -> case(halls) ADP/avoiding", "halls: obj(avoiding) -> obl(go)"),
+    ),
+)
 @only_with(*_OF_DEEDS, "obl", "nmod")
-def with_avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach what is to be avoided to the verb of going: "go to the office *and avoid the hall on the way*", "*without
+def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a preposition of what says where not to go: "go to the office *and avoid the hall on the way*", "*without
     going through the hall*", "*but not through the hall*"."""
     edit = TreeEdit(tree)
     for word in tree.words:

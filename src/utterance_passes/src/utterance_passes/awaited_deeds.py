@@ -6,6 +6,7 @@ from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -16,9 +17,23 @@ _NO_PHRASE = frozenset(["VERB", "AUX", "PUNCT", "SCONJ"])
 _LONGEST_PHRASE = 6
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "wait|VERB|0|root for|ADP|3|case Bob|PROPN|1|obl to|PART|5|mark come|VERB|1|advcl|come|VB",
+        (
+            "for: case(Bob) ADP/for for -> mark(come) SCONJ/until until",
+            "Bob: obl(wait) -> nsubj(come)",
+            "to: mark(come) -> discourse:aside(come)",
+        ),
+    ),
+)
 @only_with_lemmas(_WAITING)
-def with_awaited_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make "until" and a clause of "for", a phrase, "to" and a verb behind a verb of waiting."""
+def awaited_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a condition of what somebody else is to do: "wait *for Bob to come*".
+
+    "For" becomes "until".
+    """
     edit = TreeEdit(tree)
     for verb in tree.words:
         found = _awaited(tree, verb) if verb.lemma.lower() in _WAITING else None

@@ -4,7 +4,8 @@ from typing import Optional, Sequence
 
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
@@ -37,7 +38,15 @@ def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optio
     return None
 
 
-def rerooted(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+@tree_pass(
+    Kind.REPAIR,
+    Example(
+        "Scrub|VERB|3|compound the|DET|3|det pot|NOUN|0|root",
+        ("Scrub: compound(pot) -> root", "pot: root -> obj(Scrub)"),
+        Verbs(frozenset(["scrub"])),
+    ),
+)
+def reroot(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make the verb of the command the root, and attach the old root and the phrases of the command to it."""
     index = command_verb_position([word.form for word in tree.words], vocabulary)
     if index is None or tree.word(index).head == 0:

@@ -5,6 +5,7 @@ from typing import FrozenSet, Optional, Tuple
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary, is_verb
 
 _COMPARISONS = pattern_of("comparisons")
@@ -14,7 +15,21 @@ _LEFT = "how"
 _LONGEST = 7
 
 
-def without_comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root as|ADV|3|advmod fast|ADV|1|advmod as|ADV|5|advmod possible|ADJ|1|xcomp to|ADP|7|case "
+        "Bob|PROPN|5|obl",
+        (
+            "as: advmod(fast) -> discourse:aside(go)",
+            "fast: advmod(go) -> discourse:aside(go)",
+            "as: advmod(possible) -> discourse:aside(go)",
+            "possible: xcomp(go) -> discourse:aside(go)",
+            "Bob: obl(possible) -> obl(go)",
+        ),
+    ),
+)
+def comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set comparisons aside, wherever they stand, but keep their adverb: "as *slowly* as you can".
 
     The parser makes the next words a part of the comparison: "as quickly as *you can to the gate*".

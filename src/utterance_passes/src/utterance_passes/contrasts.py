@@ -3,9 +3,10 @@
 from typing import FrozenSet, List, Optional
 
 from utterance_passes.clauses import has_case, prepositions_of, verb_above
-from utterance_passes.pass_needs import only_with_forms
+from utterance_passes.pass_needs import only_with, only_with_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -20,12 +21,19 @@ _LEFT_OUT = frozenset(["conj", "nmod", "obl", "obj"])
 _OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
 _STANDINS = word_class("noun_standins")
 _OPPOSITE_SIDES = word_class("opposite_sides")
+_NOT_ONLY = ["not", "only"]
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "bring|VERB|0|root anything|PRON|1|obj but|CCONJ|4|cc beer|NOUN|2|conj",
+        ("but: cc(beer) CCONJ/but -> case(beer) ADP/but", "beer: conj(anything) -> nmod(anything)"),
+    ),
+)
 @only_with_forms(_EXCEPTIONS | _NOT)
-def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing. Take out of a
-    kind what is described: "a beer, not a warm one"."""
+def exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Take out of things what is not meant: "anything but beer", "a beer, not a warm one"."""
     return _with_kinds_left_out(_with_things_left_out(tree))
 
 
@@ -102,8 +110,20 @@ def _is_property_said(tree: DependencyTree, things: List[Word]) -> bool:
     return any(child.deprel == "amod" for thing in things for child in tree.children(thing.index))
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "take|VERB|0|root not|PART|3|advmod cups|NOUN|1|obj but|CCONJ|5|cc plates|NOUN|3|conj",
+        (
+            "not: advmod(cups) -> discourse:aside(plates)",
+            "cups: obj(take) -> discourse:aside(plates)",
+            "but: cc(plates) -> discourse:aside(plates)",
+            "plates: conj(cups) -> obj(take)",
+        ),
+    ),
+)
 @only_with_forms(["but"])
-def with_what_is_meant(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def meant_instead(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Put what stands behind "but" in the place of what is denied before it: "bring *not the cup but* the plate",
     "*don't* go *to the hall but* to the office"."""
     edit = TreeEdit(tree)
@@ -157,8 +177,19 @@ def _denying(tree: DependencyTree, phrase: Word) -> FrozenSet[int]:
     return frozenset([nots[0].index] if first - 1 <= nots[0].index else [])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "bring|VERB|0|root tea|NOUN|1|obj instead|ADV|5|case of|ADP|5|case coffee|NOUN|1|obl",
+        (
+            "instead: case(coffee) -> discourse:aside(bring)",
+            "of: case(coffee) -> discourse:aside(bring)",
+            "coffee: obl(bring) -> discourse:aside(bring)",
+        ),
+    ),
+)
 @only_with_forms(_NOT.union(*(phrase.split() for phrase in _CONTRASTS)))
-def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
     edit = TreeEdit(tree)
     for word in tree.words:
@@ -214,3 +245,22 @@ def _is_last(tree: DependencyTree, word: Word) -> bool:
     if word.index < len(tree.words) and tree.word(word.index + 1).form == ",":
         return True
     return all(one.upos == "PUNCT" or one.deprel.startswith("discourse") for one in tree.words[word.index :])
+
+
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "take|VERB|0|root not|PART|1|advmod only|ADV|4|advmod cups|NOUN|1|obj but|CCONJ|6|cc plates|NOUN|4|conj",
+        ("not: advmod(take) -> discourse:aside(take)", "only: advmod(cups) -> discourse:aside(take)"),
+    ),
+)
+@only_with("cc")
+def not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Set "not only" aside before "but": "bring *not only* the cup but also the plate" forbids nothing."""
+    edit = TreeEdit(tree)
+    for first, second in zip(tree.words, tree.words[1:]):
+        joints = [word for word in tree.words[second.index :] if word.form.lower() == "but" and word.deprel == "cc"]
+        if [first.form.lower(), second.form.lower()] == _NOT_ONLY and joints and first.head:
+            for word in (first, second):
+                edit.rehang(word.index, first.head, ASIDE)
+    return edit.tree()

@@ -14,8 +14,8 @@ from utterance_passes.measures import Amount, find_amounts
 from utterance_passes.times import find_times
 from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
-from utterance_passes.utterance_pass import Choice, Uncertain
-from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.utterance_pass import Choice, Example, Kind, Uncertain, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary, is_verb
 from word_classes import word_class
 
 _AROUND = word_class("around_corrections")
@@ -31,8 +31,22 @@ _IN_NAMES = ("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON")
 _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummod", "ADP": "case", "PUNCT": "punct"}
 
 
-def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Remove the corrected words from the tree of a sentence; they stay in the text.
+@tree_pass(
+    Kind.DISFLUENCY,
+    Example(
+        "turn|VERB|0|root left|ADV|1|advmod|left|RB no|DET|4|det right|NOUN|1|obj|right|NN",
+        (
+            "left: advmod(turn) -> reparandum(right)",
+            "no: det(right) -> reparandum(right)",
+            "right: obj(turn) NOUN/right -> advmod(turn) ADV/right",
+        ),
+        Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)}),
+    ),
+)
+def corrections(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Replace the corrected words by the correction; ask if it is not certain which words those are.
+
+    The corrected words stay in the text.
 
     Raises:
         Uncertain: it is not certain what the correction replaces; holds the readings to choose from, or none if the
@@ -52,7 +66,14 @@ def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
         behind = end
 
 
-def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+@tree_pass(
+    Kind.DISFLUENCY,
+    Example(
+        "turn|VERB|0|root turn|VERB|1|xcomp left|ADV|2|advmod",
+        ("turn: root -> reparandum(turn-2)", "turn: xcomp(turn-1) -> root"),
+    ),
+)
+def restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Drop the first of two equal words in a row: "turn turn left", "ninety uh ninety degrees".
 
     A repeated number without a filler is two digits, also with a comma between figures: "5,5" may mean 5.5. A repeated

@@ -9,7 +9,8 @@ from typing import FrozenSet, Sequence
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
-from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary, is_verb
 
 _ANYWHERE = pattern_of("anywhere")
 _APART = pattern_of("apart")
@@ -18,7 +19,15 @@ _ENDINGS = pattern_of("endings")
 _LONGEST = 12
 
 
-def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
+        ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
+        Verbs(frozenset(["turn"])),
+    ),
+)
+def formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the formulas around a command: "... right away, if you don't mind". Formulas in a quotation stay."""
     while True:
         positions = _around(tree, vocabulary)

@@ -5,14 +5,23 @@ from utterance_passes.pass_needs import only_with
 from utterance_passes.persons import is_person_or_name
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Speech, Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
 _INFORMING = word_class("verbs_of_informing")
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "tell|VERB|0|root Bob|PROPN|1|obj",
+        ("Bob: obj(tell) -> iobj(tell)",),
+        Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+    ),
+)
 @only_with("obj", "iobj")
-def with_persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+def persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*". What a
     person is told about belongs to the verb: "warn the guests *about the dog*"."""
     edit = TreeEdit(tree)

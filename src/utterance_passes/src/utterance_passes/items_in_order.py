@@ -5,6 +5,7 @@ from typing import Optional
 from utterance_passes.pass_needs import only_with_forms
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -15,8 +16,15 @@ _NOUNS = frozenset(["NOUN", "PROPN"])
 _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "visit|VERB|0|root halls|NOUN|1|obj ,|PUNCT|5|punct then|ADV|5|advmod offices|NOUN|1|parataxis",
+        ("then: advmod(offices) -> discourse:aside(offices)", "offices: parataxis(visit) -> conj(halls)"),
+    ),
+)
 @only_with_forms(_ORDER)
-def with_items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside words of order before an item of a list, and attach the item to the item before it.
 
     Lists are carried out in the order in which they were said. An item with a preposition is a phrase of its own:

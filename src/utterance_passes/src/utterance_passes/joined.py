@@ -6,7 +6,8 @@ from utterance_passes.clauses import verb_above
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
@@ -18,8 +19,15 @@ _SIDES = word_class("opposite_sides")
 _UNTIL = frozenset(["until", "till"])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "bring|VERB|0|root cups|NOUN|1|obj but|CCONJ|6|cc if|SCONJ|6|mark it|PRON|6|nsubj rains|VERB|1|conj",
+        ("rains: conj(bring) -> advcl(bring)",),
+    ),
+)
 @only_with("conj", "parataxis")
-def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a condition of a clause that is joined to the command: "bring me the cup, *but only if it is clean*"."""
     edit = TreeEdit(tree)
     for clause in tree.words:
@@ -32,8 +40,15 @@ def with_conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTre
     return edit.tree()
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root by|ADP|4|case the|DET|4|det time|NOUN|1|obl Bob|PROPN|6|nsubj comes|VERB|4|acl:relcl",
+        ("by: case(time) -> fixed(time)", "time: obl(go) -> mark(comes)", "comes: acl:relcl(time) -> advcl(go)"),
+    ),
+)
 @only_with("acl:relcl")
-def with_deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of the command of what describes "the time": "be there *by the time Bob comes*" names no place."""
     edit = TreeEdit(tree)
     for time in tree.words:
@@ -53,8 +68,15 @@ def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
     return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "follow|VERB|0|root me|PRON|1|obj ,|PUNCT|5|punct but|CCONJ|5|cc slowly|ADV|1|conj",
+        ("but: cc(slowly) -> discourse:aside(follow)", "slowly: conj(follow) -> advmod(follow)"),
+    ),
+)
 @only_with("cc")
-def with_manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a manner that is joined like a deed: "follow me, *but slowly*", "go to the door and *slowly* open it"."""
     edit = TreeEdit(tree)
     for manner in tree.words:
@@ -92,8 +114,15 @@ def _preposition(tree: DependencyTree, word: Word) -> str:
     return " ".join(child.form.lower() for child in tree.children(word.index) if child.deprel == "case")
 
 
+@tree_pass(
+    Kind.POLICY,
+    Example(
+        "give|VERB|0|root Bob|PROPN|1|iobj cups|NOUN|1|obj|cup and|CCONJ|6|cc Anna|PROPN|6|compound hers|NOUN|3|conj",
+        ("hers: conj(cups) -> dep(give)",),
+    ),
+)
 @only_with("compound")
-def with_owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Part what somebody owns from who gets it: "give Bob his cup and *Anna hers*" gives Bob no second thing. No unit
     knows the relation ``dep``."""
     edit = TreeEdit(tree)
@@ -104,8 +133,15 @@ def with_owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTr
     return edit.tree()
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "there|PRON|2|expl is|VERB|0|root|be tea|NOUN|2|nsubj on|ADP|5|case tables|NOUN|3|nmod",
+        ("tables: nmod(tea) -> obl(is)",),
+    ),
+)
 @only_with("expl")
-def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place behind what there is to the verb: "there is a radio *next to the bed*" says where it is."""
     edit = TreeEdit(tree)
     for verb in tree.words:
@@ -120,8 +156,16 @@ def with_places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> Depende
     return edit.tree()
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "take|VERB|0|root the|DET|3|det red|ADJ|1|obj|red|JJ and|CCONJ|7|cc the|DET|7|det blue|ADJ|7|amod "
+        "cup|NOUN|3|conj",
+        ("red: obj(take) -> conj(cup)", "and: cc(cup) -> cc(red)", "cup: conj(red) -> obj(take)"),
+    ),
+)
 @only_with("conj")
-def with_shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make the noun of two described things the head of both: "bring me the red and the blue *cup*"."""
     edit = TreeEdit(tree)
     for described in tree.words:
@@ -150,8 +194,16 @@ def _is_described(tree: DependencyTree, noun: Word) -> bool:
     return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.form.lower() not in _ONES
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "tell|VERB|0|root Bob|PROPN|1|iobj to|PART|4|mark wait|VERB|1|xcomp until|SCONJ|6|mark noon|NOUN|4|advcl",
+        ("until: mark(noon) -> flat:quoted(wait)", "noon: advcl(wait) -> flat:quoted(wait)"),
+        Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+    ),
+)
 @only_with("xcomp")
-def with_bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+def bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Leave how long somebody else is to do something in what that person is told: "tell Bob to wait *until I come
     back*". To tell him takes no time."""
     edit = TreeEdit(tree)

@@ -3,7 +3,8 @@
 from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _WISH = "want"
@@ -18,9 +19,17 @@ _WOULD = frozenset(["would", "'d", "’d"])
 _SPEAKERS = word_class("speaker_subjects")
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
+        ("have: VERB/have have -> VERB/want want",),
+        Verbs(frozenset(["want"])),
+    ),
+)
 @only_with_lemmas(_ASKED_FOR | _WISHING_VERBS | {"do"})
-def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Replace light verbs by the verbs that they mean, if the lexicon has those.
+def light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Replace light verbs by the verbs that they mean, if the lexicon has those: "can I have" means "I want".
 
     The lexicon itself has no verb "do": the parser would take the "do" in "don't" for the command.
     """

@@ -4,6 +4,7 @@ from typing import FrozenSet
 
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -14,8 +15,15 @@ _ADDRESSES = frozenset(["discourse", "vocative"])
 _SAYING = word_class("saying_verbs")
 
 
-def with_mentioned_words(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Make one noun phrase of each clause between quotation marks, beside which something else is said.
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        'forget|VERB|0|root "|PUNCT|3|punct open|VERB|1|ccomp it|PRON|3|obj "|PUNCT|3|punct',
+        ("open: ccomp(forget) VERB/open -> obj(forget) NOUN/open", "it: obj(open) -> flat:quoted(open)"),
+    ),
+)
+def mentioned_words(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make a noun phrase of a clause between quotation marks that is spoken of.
 
     Its verb asks for nothing: neither "forget 'open the door'" nor "the password is 'open the door'" opens it. The
     marks belong to what is between them.

@@ -5,7 +5,8 @@ from typing import Iterator
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
-from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary, is_verb
 from word_classes import word_class
 
 #: Marks behind which something new begins.
@@ -16,7 +17,15 @@ _NOT = word_class("not")
 _OPENING = pattern_of("objections")
 
 
-def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+@tree_pass(
+    Kind.POLICY,
+    Example(
+        "no|INTJ|3|discourse ,|PUNCT|1|punct turn|VERB|0|root left|ADV|3|advmod",
+        ("no: discourse(turn) -> discourse:aside(turn)", ",: punct(no) -> discourse:aside(turn)"),
+        Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)}),
+    ),
+)
+def objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right".
 
     What is not to be done is such an opening, too: "don't turn left, turn right". But "don't touch the vase, clean the

@@ -21,7 +21,7 @@ _INSIDE = frozenset(["compound", "flat", "nummod", "amod", "det", "fixed", "goes
 JOINING = frozenset(["and", ",", "then"])
 
 
-class Kind(Enum):
+class PhraseKind(Enum):
     """The form of a phrase."""
 
     NOUN = "noun phrase"
@@ -39,7 +39,7 @@ class Phrase:
         preposition: the first word of its preposition; empty if it has none
     """
 
-    kind: Kind
+    kind: PhraseKind
     words: Tuple[Word, ...]
     preposition: str = ""
 
@@ -77,9 +77,9 @@ def tells_several(tree: DependencyTree, clause: Clause, speech: Speech) -> bool:
 def _is_told(tree: DependencyTree, pair: Group, speech: Speech) -> bool:
     """Whether one of two phrases is somebody, and the other one what is said."""
     first, second = pair
-    if first.kind is Kind.NOUN and second.preposition == "to":
+    if first.kind is PhraseKind.NOUN and second.preposition == "to":
         return _is_somebody(tree.word(second.head))
-    are_nouns = first.kind is second.kind is Kind.NOUN
+    are_nouns = first.kind is second.kind is PhraseKind.NOUN
     return speech is Speech.TOLD and are_nouns and _is_somebody(tree.word(first.head))
 
 
@@ -95,9 +95,11 @@ def with_names_apart(groups: Sequence[Group]) -> Optional[List[Group]]:
     found: List[Group] = []
     for group in groups:
         words = [word for phrase in group for word in phrase.words]
-        if [word.upos for word in words] != ["PROPN", "NOUN"] or any(phrase.kind is not Kind.NOUN for phrase in group):
+        if [word.upos for word in words] != ["PROPN", "NOUN"] or any(
+            phrase.kind is not PhraseKind.NOUN for phrase in group
+        ):
             return None
-        found.append((Phrase(Kind.NOUN, tuple(words[:1])), Phrase(Kind.NOUN, tuple(words[1:]))))
+        found.append((Phrase(PhraseKind.NOUN, tuple(words[:1])), Phrase(PhraseKind.NOUN, tuple(words[1:]))))
     return found
 
 
@@ -151,12 +153,12 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
             taken += 1 + more
         taken += _length_of_purpose(words[taken:])
         if prepositions:
-            return Phrase(Kind.PREPOSITION, tuple(words[:taken]), words[0].form.lower())
-        return Phrase(Kind.NOUN, tuple(words[:taken]))
+            return Phrase(PhraseKind.PREPOSITION, tuple(words[:taken]), words[0].form.lower())
+        return Phrase(PhraseKind.NOUN, tuple(words[:taken]))
     if words[0].upos == "INTJ" and not words[0].deprel.startswith("discourse"):
-        return Phrase(Kind.NOUN, (words[0],))
+        return Phrase(PhraseKind.NOUN, (words[0],))
     if words[0].upos in ("ADV", "ADP", "ADJ") and words[0].form.lower() != "to":
-        return Phrase(Kind.ADVERB, (words[0],))
+        return Phrase(PhraseKind.ADVERB, (words[0],))
     return None
 
 

@@ -5,6 +5,7 @@ from typing import Tuple
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -23,8 +24,23 @@ _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS.items()}}
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root ,|PUNCT|5|punct you|PRON|5|nsubj will|AUX|5|aux find|VERB|1|parataxis her|PRON|5|obj "
+        "at|ADP|8|case desks|NOUN|5|obl",
+        (
+            ",: punct(find) -> punct(desks)",
+            "you: nsubj(find) PRON/you you -> nsubj(desks) PRON/she she",
+            "will: aux(find) -> discourse:aside(desks)",
+            "find: parataxis(go) VERB/find find -> cop(desks) AUX/be is",
+            "her: obj(find) -> discourse:aside(desks)",
+            "desks: obl(find) -> parataxis(go)",
+        ),
+    ),
+)
 @only_with("parataxis", "conj", "ccomp", "list")
-def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Replace "you will find her at the desk" beside a command by "she is at the desk".
 
     Alone, such a sentence may be a command.
@@ -69,8 +85,19 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
     return edit.tree()
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "show|VERB|0|root Bob|PROPN|1|iobj where|ADV|1|ccomp it|PRON|3|nsubj is|AUX|3|cop|be",
+        (
+            "where: ccomp(show) ADV/where -> case(it) ADP/where",
+            "it: nsubj(where) -> obl(show)",
+            "is: cop(where) -> discourse:aside(show)",
+        ),
+    ),
+)
 @only_with("cop")
-def with_places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a goal of the place where something is: "show Bob *where it is*", "go *where Anna is*"."""
     edit = TreeEdit(tree)
     for where in tree.words:

@@ -14,8 +14,9 @@ from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTATION_MARKS, QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of, stray_clause
-from utterance_passes.vocabulary import Speech, Vocabulary
+from utterance_passes.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
 _AS_SOON_AS = ["as", "soon", "as"]
@@ -37,8 +38,21 @@ _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PUTTING_OFF = _CONDITIONS - {"if"}
 
 
-def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Turn each quotation into one object of its verb."""
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
+        (
+            "her: nmod:poss(lunch) -> iobj(tell)",
+            "lunch: nsubj(ready) -> flat:quoted(ready)",
+            "is: cop(ready) -> flat:quoted(ready)",
+            "ready: ccomp(tell) -> obj(tell)",
+        ),
+        Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+    ),
+)
+def quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Turn the words that the robot shall say into one object."""
     if not has_verb_of_saying(tree, vocabulary):
         return tree
     behind = 0

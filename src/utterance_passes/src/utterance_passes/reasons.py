@@ -5,6 +5,7 @@ from typing import Sequence
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, set_aside
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
@@ -23,8 +24,20 @@ _PERSONS = word_class("personal_subjects")
 _SUBJECTS = ("nsubj", "nsubj:pass", "expl")
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "come|VERB|0|root because|SCONJ|5|mark I|PRON|5|nsubj am|AUX|5|cop cold|ADJ|1|advcl",
+        (
+            "because: mark(cold) -> discourse:aside(come)",
+            "I: nsubj(cold) -> discourse:aside(come)",
+            "am: cop(cold) -> discourse:aside(come)",
+            "cold: advcl(come) -> discourse:aside(come)",
+        ),
+    ),
+)
 @only_with("advcl")
-def without_reasons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+def reasons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the clauses that give the reason for a command, or what speaks against it: they do not change it.
 
     A clause stays that may hold a command itself: "take the cup because it is broken and bring it to me". One that

@@ -10,6 +10,7 @@ from semantic_types.parts_of_speech import ADJECTIVE, NOUN, parts_of_speech
 from spoken_quantities import find_number, find_whole_number, number_words
 from utterance_passes.formula_file import any_of, shipped_formulas
 from utterance_passes.spelling import Spelling
+from utterance_passes.utterance_pass import Example, Kind, text_pass, word_pass
 from utterance_passes.vocabulary import Verbs
 from word_classes import word_class
 
@@ -31,7 +32,10 @@ _JOINING = word_class("clause_borders")
 _SAYING = word_class("saying_verbs")
 
 
-def with_shares_named(spelling: Spelling) -> Spelling:
+@text_pass(
+    Kind.MEANING, Example("bring two cups, one for me and one for Bob", ("bring one cup for me and one cup for Bob",))
+)
+def shares(spelling: Spelling) -> Spelling:
     """Name the things in each share: "two beers, one for me and one for Dave" becomes "one beer for me and one beer for
     Dave". The shares must be all of the things.
     """
@@ -55,7 +59,8 @@ def with_shares_named(spelling: Spelling) -> Spelling:
     return Spelling(text + spelling.text[position:], (*origins, *spelling.origins[position:]))
 
 
-def without_half_a_phrase(spelling: Spelling) -> Spelling:
+@text_pass(Kind.DISFLUENCY, Example("bring the blue, uh, the green cup", ("bring the green cup",)))
+def half_phrases(spelling: Spelling) -> Spelling:
     """Remove a phrase that breaks off before its noun when it is begun again behind a filler: "the blue, uh, *the green
     mug*"."""
     for match in _BROKEN_PHRASE.finditer(spelling.text):
@@ -71,7 +76,10 @@ def _singular(things: str) -> str:
     return next((base for base in bases if NOUN in parts_of_speech(base.split()[-1])), things)
 
 
-def without_less_precise(spelling: Spelling, vocabulary: Verbs) -> Spelling:
+@word_pass(
+    Kind.DISFLUENCY, Example("turn left turn left two degrees", ("turn left two degrees",), Verbs(frozenset(["turn"])))
+)
+def less_precise(spelling: Spelling, vocabulary: Verbs) -> Spelling:
     """Remove a command that the speaker says again at once, with an amount: "turn left *turn left thirty degrees*".
 
     Nothing stands between both, and the second has all words of the first in their order.

@@ -9,7 +9,8 @@ from typing import Sequence, Tuple
 from semantic_types import shipped_types
 from spoken_quantities import find_number
 from utterance_passes.tree import QUOTATION_MARKS
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, cut_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 #: Who turns around has turned: "turn around *head to the door*".
@@ -44,8 +45,12 @@ _JOINING = word_class("words_between_commands")
 _COMPLETE = frozenset(["NOUN", "PROPN", "PRON", "NUM", "ADV", "INTJ", "SYM"])
 
 
+@cut_pass(
+    Kind.REPAIR,
+    Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),
+)
 def run_ons(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[int, ...]:
-    """Find the first word of each further command.
+    """Separate commands that have no mark between them.
 
     Args:
         forms: words of the utterance

@@ -13,6 +13,7 @@ from utterance_passes.clauses import (
 )
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_sharing_a_verb
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -20,9 +21,17 @@ _PAIRS = (word_class("states_of_devices"), word_class("ways_to_go"))
 _JOINING = frozenset(["and", "then"])
 
 
-def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Attach the second of two phrases that share a verb to the verb, like the first, and mark it: ``find_clauses``
-    turns it into a separate clause.
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
+        ("Eve: conj(go) -> obl(go)",),
+    ),
+)
+def shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach the second of two phrases that share a verb to the verb, like the first.
+
+    It is marked: ``find_clauses`` turns it into a clause of its own.
     """
     if not may_share_a_verb(tree):
         return tree

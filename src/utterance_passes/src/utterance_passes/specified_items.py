@@ -6,6 +6,7 @@ from spoken_quantities import find_whole_number
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -17,8 +18,21 @@ _ONE = "one"
 _OF_ITEMS = frozenset(["conj", "appos", "amod"])
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "take|VERB|0|root two|NUM|3|nummod cups|NOUN|1|obj|cup ,|PUNCT|6|punct big|ADJ|6|amod one|NOUN|3|conj "
+        "and|CCONJ|9|cc small|ADJ|9|amod one|NOUN|3|conj",
+        (
+            "two: nummod(cups) -> discourse:aside(cup-6)",
+            "cups: obj(take) -> discourse:aside(cup-6)",
+            "one: conj(cups) NOUN/one one -> obj(take) NOUN/cup cup",
+            "one: conj(cups) NOUN/one one -> conj(cup-6) NOUN/cup cup",
+        ),
+    ),
+)
 @only_with("nummod")
-def with_specified_items(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+def specified_items(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Take what specifies counted things for these things, and not for further ones.
 
     Where the items are not as many, or have no "one" ("two cups, *one red and one blue*"), nobody knows what is meant:

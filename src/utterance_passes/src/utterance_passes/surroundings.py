@@ -14,8 +14,8 @@ from utterance_passes.formula_file import pattern_of, without_padding
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import ASIDE
 from utterance_passes.tree_edits import WordAround
-from utterance_passes.utterance_pass import Surroundings
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, Surroundings, surroundings_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _OPENINGS = pattern_of("openings")
@@ -66,8 +66,16 @@ class _Front:
     relations: Mapping[int, str]
 
 
+@surroundings_pass(
+    Kind.REPAIR,
+    Example(
+        "robot, could you turn left please",
+        ("turn left", "robot: vocative", ",: punct", "could: aux", "you: nsubj", "please: discourse:aside"),
+        Verbs(frozenset(["turn"])),
+    ),
+)
 def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroundings]:
-    """Find a command and the words around it.
+    """Parse a command without the words around it: "could you ..., please".
 
     Args:
         spelling: spelling of the utterance

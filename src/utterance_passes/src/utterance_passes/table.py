@@ -1,267 +1,140 @@
-"""Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another.
+"""Names every pass from the text to the tree that the framer reads, in the order of running. No pass calls another.
 
-``text_table`` has the passes on text; ``clause_table`` and ``attaching_table`` have those
-that correct the parse.
+Each pass stands at its function, in the module of its subject.
 """
 
-from typing import Tuple
+from typing import Mapping, Tuple
 
 from utterance_passes import (
     argument_clusters,
     aspectual_verbs,
+    avoided_places,
+    awaited_deeds,
     command_verb,
     comparisons,
+    contrasts,
     corrections,
     formulas,
+    hearers,
+    hesitation,
+    items_in_order,
+    joined,
     light_verbs,
     mentioned_words,
     objections,
+    particles,
+    places_told,
     quotations,
     reasons,
+    restatements,
     run_ons,
     shared_verbs,
+    specified_items,
     surroundings,
     times,
+    turns_in_place,
+    typos,
+    wished_results,
+    written_signs,
 )
-from utterance_passes.attaching_table import ATTACHING_PASSES
-from utterance_passes.clause_table import CLAUSE_PASSES
-from utterance_passes.joined_table import JOINING_PASSES
-from utterance_passes.text_table import TEXT_PASSES, WORD_PASSES
-from utterance_passes.utterance_pass import (
-    CutPass,
-    Example,
-    Pass,
-    Stage,
-    SurroundingsPass,
-    TreeDisfluency,
-    TreeMeaning,
-    TreePass,
-    TreePolicy,
-    TreeRepair,
+from utterance_passes.utterance_pass import CutPass, Pass, SurroundingsPass, TextPass, TreePass, WordPass
+
+#: Rewrite the text alone.
+TEXT_PASSES: Tuple[TextPass, ...] = (
+    written_signs.transcribers_marks,
+    written_signs.apostrophes,
+    written_signs.quotation_marks,
+    written_signs.dashes,
+    written_signs.fraction_signs,
+    written_signs.fraction_slash,
+    written_signs.degree_sign,
+    written_signs.units,
+    written_signs.minus_sign,
+    written_signs.negative_sign,
+    written_signs.ratios,
+    hesitation.false_starts,
+    hesitation.repeated_starts,
+    restatements.half_phrases,
+    hesitation.hesitation,
+    restatements.shares,
+    written_signs.contractions,
+    written_signs.blanks,
+    written_signs.ends,
 )
-from utterance_passes.vocabulary import Speech, Verbs
 
-_TURN = Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)})
-
+#: Rewrite words that the robot does not know.
+WORD_PASSES: Tuple[WordPass, ...] = (
+    typos.typos,
+    restatements.less_precise,
+)
 
 #: Find words that the parser leaves out, and adds to the tree of the command later.
-SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
-    SurroundingsPass(
-        "surroundings",
-        'Parse a command without the words around it: "could you ..., please".',
-        Example(
-            "robot, could you turn left please",
-            ("turn left", "robot: vocative", ",: punct", "could: aux", "you: nsubj", "please: discourse:aside"),
-            _TURN,
-        ),
-        Stage.PARSER,
-        surroundings.surroundings,
-    ),
-)
+SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (surroundings.surroundings,)
 
 #: Find the places where the parser cuts a text, to parse each part alone.
-CUT_PASSES: Tuple[CutPass, ...] = (
-    CutPass(
-        "run_ons",
-        "Separate commands that have no mark between them.",
-        Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),
-        Stage.PARSER,
-        run_ons.run_ons,
-    ),
-)
+CUT_PASSES: Tuple[CutPass, ...] = (run_ons.run_ons,)
 
 #: Passes that the parser runs on its own tree before it publishes the tree.
-PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
-    TreeRepair(
-        "reroot",
-        "Make the verb of the command the root.",
-        Example(
-            "Scrub|VERB|3|compound the|DET|3|det pot|NOUN|0|root",
-            ("Scrub: compound(pot) -> root", "pot: root -> obj(Scrub)"),
-            Verbs(frozenset(["scrub"])),
-        ),
-        Stage.PARSER,
-        command_verb.rerooted,
-    ),
-)
+PARSER_TREE_PASSES: Tuple[TreePass, ...] = (command_verb.reroot,)
 
 #: Remove the words that a person takes back; they run before all other passes of the framer.
 CORRECTION_PASSES: Tuple[TreePass, ...] = (
-    TreeMeaning(
-        "mentioned_words",
-        "Make a noun phrase of a clause between quotation marks that is spoken of.",
-        Example(
-            'forget|VERB|0|root "|PUNCT|3|punct open|VERB|1|ccomp it|PRON|3|obj "|PUNCT|3|punct',
-            ("open: ccomp(forget) VERB/open -> obj(forget) NOUN/open", "it: obj(open) -> flat:quoted(open)"),
-        ),
-        Stage.FRAMER,
-        mentioned_words.with_mentioned_words,
-    ),
-    TreePolicy(
-        "objection",
-        "Set aside the opening of a correction if a whole command follows.",
-        Example(
-            "no|INTJ|3|discourse ,|PUNCT|1|punct turn|VERB|0|root left|ADV|3|advmod",
-            ("no: discourse(turn) -> discourse:aside(turn)", ",: punct(no) -> discourse:aside(turn)"),
-            _TURN,
-        ),
-        Stage.FRAMER,
-        objections.without_objection,
-    ),
-    TreeDisfluency(
-        "restarts",
-        "Drop the first of two equal words in a row.",
-        Example(
-            "turn|VERB|0|root turn|VERB|1|xcomp left|ADV|2|advmod",
-            ("turn: root -> reparandum(turn-2)", "turn: xcomp(turn-1) -> root"),
-        ),
-        Stage.FRAMER,
-        corrections.without_restarts,
-    ),
-    TreeDisfluency(
-        "corrections",
-        "Replace the corrected words by the correction; ask if it is not certain which words those are.",
-        Example(
-            "turn|VERB|0|root left|ADV|1|advmod|left|RB no|DET|4|det right|NOUN|1|obj|right|NN",
-            (
-                "left: advmod(turn) -> reparandum(right)",
-                "no: det(right) -> reparandum(right)",
-                "right: obj(turn) NOUN/right -> advmod(turn) ADV/right",
-            ),
-            _TURN,
-        ),
-        Stage.FRAMER,
-        corrections.without_corrected,
-    ),
+    mentioned_words.mentioned_words,
+    objections.objection,
+    corrections.restarts,
+    corrections.corrections,
 )
 
 #: Correct the parse; they run on trees that other programs learn from, too.
-PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = CLAUSE_PASSES + ATTACHING_PASSES
+PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
+    contrasts.not_only,
+    wished_results.wished_results,
+    contrasts.exceptions,
+    contrasts.meant_instead,
+    particles.ways_behind_particles,
+    avoided_places.avoided_places,
+    awaited_deeds.awaited_deeds,
+    items_in_order.items_in_order,
+    contrasts.contrasts,
+    particles.particles_on_the_way,
+    particles.ahead_of,
+    particles.places_of_devices,
+    hearers.persons_told,
+    places_told.places_shown,
+    places_told.places_told,
+)
 
 #: Correct the parse, replace or set aside phrases of the speaker, and mark clauses and times.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    JOINING_PASSES
-    + PARSE_CORRECTING_PASSES
-    + (
-        TreeMeaning(
-            "aspectual_verbs",
-            'Replace "start moving", "continue to move" and the like by "move".',
-            Example(
-                "start|VERB|0|root turning|VERB|1|xcomp|turn|VBG",
-                ("start: root -> discourse:aside(turning)", "turning: xcomp(start) -> root"),
-                _TURN,
-            ),
-            Stage.FRAMER,
-            aspectual_verbs.without_aspectual_verbs,
-        ),
-        TreeMeaning(
-            "light_verbs",
-            'Replace light verbs by the verbs that they mean, if the lexicon has those: "can I have" means "I want".',
-            Example(
-                "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
-                ("have: VERB/have have -> VERB/want want",),
-                Verbs(frozenset(["want"])),
-            ),
-            Stage.FRAMER,
-            light_verbs.replace_light_verbs,
-        ),
-        TreeMeaning(
-            "quotations",
-            "Turn the words that the robot shall say into one object.",
-            Example(
-                "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
-                (
-                    "her: nmod:poss(lunch) -> iobj(tell)",
-                    "lunch: nsubj(ready) -> flat:quoted(ready)",
-                    "is: cop(ready) -> flat:quoted(ready)",
-                    "ready: ccomp(tell) -> obj(tell)",
-                ),
-                Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
-            ),
-            Stage.FRAMER,
-            quotations.with_quotations,
-        ),
-        TreeMeaning(
-            "comparisons",
-            'Set aside comparisons such as "as soon as possible".',
-            Example(
-                "go|VERB|0|root as|ADV|3|advmod fast|ADV|1|advmod as|ADV|5|advmod possible|ADJ|1|xcomp to|ADP|7|case "
-                "Bob|PROPN|5|obl",
-                (
-                    "as: advmod(fast) -> discourse:aside(go)",
-                    "fast: advmod(go) -> discourse:aside(go)",
-                    "as: advmod(possible) -> discourse:aside(go)",
-                    "possible: xcomp(go) -> discourse:aside(go)",
-                    "Bob: obl(possible) -> obl(go)",
-                ),
-            ),
-            Stage.FRAMER,
-            comparisons.without_comparisons,
-        ),
-        TreeMeaning(
-            "formulas",
-            'Set aside the formulas around a command: "... if you don\'t mind".',
-            Example(
-                "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
-                ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
-                Verbs(frozenset(["turn"])),
-            ),
-            Stage.FRAMER,
-            formulas.without_formulas,
-        ),
-        TreeMeaning(
-            "reasons",
-            "Set aside a clause that says why to do something.",
-            Example(
-                "come|VERB|0|root because|SCONJ|5|mark I|PRON|5|nsubj am|AUX|5|cop cold|ADJ|1|advcl",
-                (
-                    "because: mark(cold) -> discourse:aside(come)",
-                    "I: nsubj(cold) -> discourse:aside(come)",
-                    "am: cop(cold) -> discourse:aside(come)",
-                    "cold: advcl(come) -> discourse:aside(come)",
-                ),
-            ),
-            Stage.FRAMER,
-            reasons.without_reasons,
-        ),
-        TreeMeaning(
-            "argument_clusters",
-            "Turn each group of phrases that share a verb into a clause.",
-            Example(
-                "put|VERB|0|root mugs|NOUN|1|obj on|ADP|4|case tables|NOUN|1|obl and|CCONJ|6|cc plates|NOUN|4|conj "
-                "in|ADP|8|case sinks|NOUN|1|obl",
-                (
-                    "plates: conj(tables) -> obj(put)",
-                    "mugs on tables: a clause of its own",
-                    "and plates in sinks: a clause of its own",
-                ),
-                Verbs(frozenset(["put"])),
-            ),
-            Stage.FRAMER,
-            argument_clusters.expand_argument_clusters,
-        ),
-        TreeMeaning(
-            "shared_verbs",
-            "Attach the second of two phrases that share a verb to the verb, like the first.",
-            Example(
-                "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
-                ("Eve: conj(go) -> obl(go)",),
-            ),
-            Stage.FRAMER,
-            shared_verbs.expand_shared_verbs,
-        ),
-        TreeMeaning(
-            "times",
-            "Mark the phrases that say when to do something.",
-            Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),
-            Stage.FRAMER,
-            times.with_times,
-        ),
-    )
+    turns_in_place.places_of_turns,
+    joined.manners_joined,
+    joined.conditions_joined,
+    joined.bounds_of_messages,
+    joined.deadlines_joined,
+    joined.places_of_what_there_is,
+    joined.shared_nouns,
+    specified_items.specified_items,
+    joined.owned_things_apart,
+    *PARSE_CORRECTING_PASSES,
+    aspectual_verbs.aspectual_verbs,
+    light_verbs.light_verbs,
+    quotations.quotations,
+    comparisons.comparisons,
+    formulas.formulas,
+    reasons.reasons,
+    argument_clusters.argument_clusters,
+    shared_verbs.shared_verbs,
+    times.times,
 )
 
+#: Passes on the tree that the parser publishes.
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
+
+_BY_NODE: Mapping[str, Tuple[Pass, ...]] = {
+    "stanford_parser_ros": TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + PARSER_TREE_PASSES,
+    "semantic_framer": FRAMER_TREE_PASSES,
+}
 #: All passes in order, from the text to the tree that the framer reads.
-PASSES: Tuple[Pass, ...] = (
-    TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
-)
+PASSES: Tuple[Pass, ...] = tuple(one for passes in _BY_NODE.values() for one in passes)
+#: The node that runs each pass, by the name of the pass.
+NODES: Mapping[str, str] = {one.name: node for node, passes in _BY_NODE.items() for one in passes}

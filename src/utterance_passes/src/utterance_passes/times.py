@@ -11,7 +11,8 @@ from utterance_passes.amounts import read_amounts
 from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
@@ -42,8 +43,12 @@ _AFTER_TIMES = _TIMES_OF_DAY | _CLOCK
 _BEFORE_CLOCKS = _CLOCK_PREPOSITIONS | _PREPOSITIONS
 
 
-def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Mark the phrases that say when."""
+@tree_pass(
+    Kind.MEANING,
+    Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), Verbs(frozenset(["turn"]))),
+)
+def times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Mark the phrases that say when to do something: "turn *at five*"."""
     return mark_times(tree, find_times(tree))
 
 

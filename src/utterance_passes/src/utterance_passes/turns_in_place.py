@@ -5,6 +5,7 @@ from typing import FrozenSet
 from utterance_passes.pass_needs import only_with_lemmas
 from utterance_passes.tree import ASIDE, DependencyTree
 from utterance_passes.tree_edits import set_aside
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
@@ -12,9 +13,16 @@ _PHRASES = frozenset(tuple(phrase.split()) for phrase in word_class("places_of_t
 _TURNING = word_class("turning_verbs")
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "spin|VERB|0|root in|ADP|3|case place|NOUN|1|obl",
+        ("in: case(place) -> discourse:aside(spin)", "place: obl(spin) -> discourse:aside(spin)"),
+    ),
+)
 @only_with_lemmas(_TURNING)
-def without_places_of_turns(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set aside where a robot turns that stays where it is; "turn on the spot" is about no device."""
+def places_of_turns(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Set aside that a turn leaves the robot where it is: "turn on the spot" is about no device."""
     positions: FrozenSet[int] = frozenset().union(
         *(_place(tree, verb.index) for verb in tree.words if verb.lemma.lower() in _TURNING)
     )

@@ -14,6 +14,7 @@ from semantic_types.parts_of_speech import ADJECTIVE, NOUN, VERB, parts_of_speec
 from spoken_quantities import find_unit, number_words, unit_words
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.utterance_pass import Example, Kind, word_pass
 from utterance_passes.vocabulary import Verbs
 from word_classes import word_class
 from word_classes.shipped import word_classes
@@ -67,8 +68,12 @@ def spellings_of(units: Iterable[LexicalUnit]) -> FrozenSet[str]:
     return frozenset(word for word in words if word.islower() and len(word) >= _SHORTEST)
 
 
-def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
-    """Replace each word that has one wrong letter. Words to be said stay as they are."""
+@word_pass(
+    Kind.SPELLING,
+    Example("trun left", ("turn left",), Verbs(frozenset(["turn"]), spellings=frozenset(["turn", "left"]))),
+)
+def typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
+    """Correct a word with one wrong letter if one word of the lexicon is meant. Words to be said stay as they are."""
     text, position = "", 0
     origins: List[int] = []
     end = len(spelling.text.rstrip(_FINAL))

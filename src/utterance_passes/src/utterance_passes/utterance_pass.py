@@ -1,20 +1,18 @@
-"""Defines the kinds of passes, and the exception of a pass that is not certain."""
+"""Defines what a pass is, the decorators that make one of a function, and the exception of one that is not certain."""
 
+import re
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable, ClassVar, Optional, Sequence, Tuple
+from typing import Callable, Optional, Sequence, Tuple
 
+from utterance_passes.pass_needs import TreeRun
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import WordAround
 from utterance_passes.vocabulary import Verbs, Vocabulary
 
-
-class Stage(Enum):
-    """The node that runs a pass."""
-
-    PARSER = "stanford_parser_ros"
-    FRAMER = "semantic_framer"
+#: A sentence goes on behind the dots of "if you ... please".
+_SENTENCE = re.compile(r".+?(?<!\.\.)\.(?!\S)")
 
 
 class Kind(Enum):
@@ -44,21 +42,19 @@ class Example:
 
 @dataclass(frozen=True)
 class Pass:
-    """One step from text to tree.
+    """One step from text to tree; the decorators below make it of a function.
 
     Attributes:
-        name: its name, in traces and for switching it off
-        what: one sentence that says what it does
+        name: the name of the function, in traces and for switching the pass off
+        what: the first sentence of its docstring
         example: an example; a test runs it
-        stage: the node that runs it
-        kind: what it is for; each row of the tables declares it by its class
+        kind: what it is for
     """
 
     name: str
     what: str
     example: Example
-    stage: Stage
-    kind: ClassVar[Kind] = Kind.MEANING
+    kind: Kind
 
 
 @dataclass(frozen=True)
@@ -66,19 +62,6 @@ class TextPass(Pass):
     """Rewrites the text, and keeps the origin of each character."""
 
     run: Callable[[Spelling], Spelling]
-    kind: ClassVar[Kind] = Kind.SPELLING
-
-
-class TextDisfluency(TextPass):
-    """Removes what the speaker took back from the text."""
-
-    kind = Kind.DISFLUENCY
-
-
-class TextMeaning(TextPass):
-    """Writes what a construction means."""
-
-    kind = Kind.MEANING
 
 
 @dataclass(frozen=True)
@@ -86,13 +69,6 @@ class WordPass(Pass):
     """Rewrites words of the text by the words that the robot knows, and keeps the origin of each character."""
 
     run: Callable[[Spelling, Verbs], Spelling]
-    kind: ClassVar[Kind] = Kind.SPELLING
-
-
-class WordDisfluency(WordPass):
-    """Removes what the speaker took back from words that the robot knows."""
-
-    kind = Kind.DISFLUENCY
 
 
 @dataclass(frozen=True)
@@ -120,7 +96,6 @@ class SurroundingsPass(Pass):
     """
 
     run: Callable[[Spelling, Vocabulary], Optional[Surroundings]]
-    kind: ClassVar[Kind] = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -132,7 +107,6 @@ class CutPass(Pass):
     """
 
     run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[int, ...]]
-    kind: ClassVar[Kind] = Kind.REPAIR
 
 
 @dataclass(frozen=True)
@@ -143,31 +117,44 @@ class TreePass(Pass):
     tree; then the tree stays as it was.
     """
 
-    run: Callable[[DependencyTree, Vocabulary], DependencyTree]
+    run: TreeRun
 
 
-class TreeMeaning(TreePass):
-    """Gives a construction the tree of what it means."""
-
-    kind = Kind.MEANING
-
-
-class TreeRepair(TreePass):
-    """Corrects what the parser attached or tagged wrongly."""
-
-    kind = Kind.REPAIR
+def text_pass(kind: Kind, example: Example) -> Callable[[Callable[[Spelling], Spelling]], TextPass]:
+    """Make a pass of a function that rewrites the text."""
+    return lambda run: TextPass(run.__name__, _what(run), example, kind, run)
 
 
-class TreeDisfluency(TreePass):
-    """Sets aside what the speaker took back."""
+def word_pass(kind: Kind, example: Example) -> Callable[[Callable[[Spelling, Verbs], Spelling]], WordPass]:
+    """Make a pass of a function that rewrites words by the words that the robot knows."""
+    return lambda run: WordPass(run.__name__, _what(run), example, kind, run)
 
-    kind = Kind.DISFLUENCY
+
+def surroundings_pass(
+    kind: Kind, example: Example
+) -> Callable[[Callable[[Spelling, Vocabulary], Optional[Surroundings]]], SurroundingsPass]:
+    """Make a pass of a function that finds the words around a command."""
+    return lambda run: SurroundingsPass(run.__name__, _what(run), example, kind, run)
 
 
-class TreePolicy(TreePass):
-    """Decides what the robot makes of a sentence."""
+def cut_pass(
+    kind: Kind, example: Example
+) -> Callable[[Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[int, ...]]], CutPass]:
+    """Make a pass of a function that finds the start of further commands."""
+    return lambda run: CutPass(run.__name__, _what(run), example, kind, run)
 
-    kind = Kind.POLICY
+
+def tree_pass(kind: Kind, example: Example) -> Callable[[TreeRun], TreePass]:
+    """Make a pass of a function that turns a tree into another one; its needs stand below: ``@only_with("advcl")``."""
+    return lambda run: TreePass(run.__name__, _what(run), example, kind, run)
+
+
+def _what(run: Callable[..., object]) -> str:
+    """Return the first sentence of a function's docstring, without the marks of emphasis."""
+    sentence = _SENTENCE.match(" ".join((run.__doc__ or "").split()))
+    if sentence is None:
+        raise ValueError(f"the docstring of {run.__name__} begins with no sentence")
+    return sentence.group().replace("*", "")
 
 
 @dataclass(frozen=True)

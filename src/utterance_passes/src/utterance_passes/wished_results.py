@@ -9,7 +9,8 @@ from semantic_types.parts_of_speech import VERB, base_forms
 from utterance_passes.pass_needs import only_with
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _CAUSATIVE = word_class("causative_verbs")
@@ -37,8 +38,16 @@ class _Result(NamedTuple):
     base: str
 
 
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "I|PRON|2|nsubj want|VERB|0|root the|DET|4|det door|NOUN|2|obj closed|VERB|4|acl|close|VBN",
+        ("door: obj(want) -> obj(closed)", "closed: acl(door) -> xcomp(want)"),
+        Verbs(frozenset(["close"])),
+    ),
+)
 @only_with("obj", "nsubj")
-def with_wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+def wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a request for a deed of the wish for its result; "I want a bottle filled with water" asks for a bottle."""
     edit = TreeEdit(tree)
     for wish in tree.words:

@@ -9,11 +9,10 @@ import pytest
 from utterance_passes.clauses import Clause
 from utterance_passes.conllu import from_short
 from utterance_passes.running import run_cut_passes, run_text_passes, run_tree_passes
-from utterance_passes.table import CUT_PASSES, PASSES
-from utterance_passes.text_table import TEXT_PASSES
+from utterance_passes.table import CUT_PASSES, PASSES, TEXT_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
-from utterance_passes.utterance_pass import Example, Kind, PassFailed, Stage, TreeMeaning, TreeRepair
+from utterance_passes.utterance_pass import Example, Kind, PassFailed, TreePass
 from utterance_passes.vocabulary import Verbs, Vocabulary
 
 TREE = from_short("turn|VERB|0|root left|ADV|1|advmod")
@@ -31,8 +30,8 @@ def test_a_repair_that_fails_is_skipped(caplog: pytest.LogCaptureFixture) -> Non
     trace = Trace()
     example = Example("", ("",))
     passes = (
-        TreeRepair("broken", "Fail.", example, Stage.FRAMER, failing),  # type: ignore[arg-type]
-        TreeRepair("whole", "Turn.", example, Stage.FRAMER, first_last),
+        TreePass("broken", "Fail.", example, Kind.REPAIR, failing),  # type: ignore[arg-type]
+        TreePass("whole", "Turn.", example, Kind.REPAIR, first_last),
     )
     with caplog.at_level(logging.ERROR):
         made = run_tree_passes(TREE, Verbs(), passes, trace=trace)
@@ -42,7 +41,7 @@ def test_a_repair_that_fails_is_skipped(caplog: pytest.LogCaptureFixture) -> Non
 
 
 def test_a_meaning_that_fails_is_named() -> None:
-    one = TreeMeaning("broken", "Fail.", Example("", ("",)), Stage.FRAMER, failing)  # type: ignore[arg-type]
+    one = TreePass("broken", "Fail.", Example("", ("",)), Kind.MEANING, failing)  # type: ignore[arg-type]
     with pytest.raises(PassFailed, match='the pass "broken" failed: IndexError: no such word'):
         run_tree_passes(TREE, Verbs(), (one,))
 

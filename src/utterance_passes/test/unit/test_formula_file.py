@@ -6,15 +6,17 @@ from typing import List, Pattern, Tuple
 import pytest
 
 from semantic_frames import FileRefused, Problem
-from utterance_passes.comparisons import without_comparisons
-from utterance_passes.corrections import without_corrected
+from utterance_passes.comparisons import comparisons
+from utterance_passes.corrections import corrections
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
-from utterance_passes.formulas import without_formulas
-from utterance_passes.objections import without_objection
-from utterance_passes.spelling import as_said, without_hesitation, written_out
+from utterance_passes.formulas import formulas
+from utterance_passes.hesitation import hesitation
+from utterance_passes.objections import objection
+from utterance_passes.spelling import as_said
 from utterance_passes.surroundings import surroundings
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs
+from utterance_passes.written_signs import contractions
 
 _VERBS = Verbs(frozenset(["turn"]), lists={"turn": (("left", "right"),)})
 _SHIPPED = [(kind, formula) for kind in KINDS for formula in shipped_formulas()[kind]]
@@ -51,23 +53,23 @@ _AROUND = ("openings", "modal_openings", "gerund_openings", "tails", "set_off_ta
 def left_of(kind: str, text: str) -> str:
     """What the pass of a kind leaves of a sentence."""
     if kind == "contractions":
-        return written_out(as_said(text)).text
+        return contractions.run(as_said(text)).text
     if kind == "phrases_of_hesitation":
-        return " ".join(without_hesitation(as_said(text)).text.split())
+        return " ".join(hesitation.run(as_said(text)).text.split())
     if kind in _AROUND:
-        around = surroundings(as_said(text), _VERBS)
+        around = surroundings.run(as_said(text), _VERBS)
         return around.command.text.lower() if around is not None else text
     tree = tree_of(text)
     if kind == "fillers":
         return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
     if kind in ("editing_terms", "withdrawals"):
-        tree = without_corrected(tree, _VERBS)
+        tree = corrections.run(tree, _VERBS)
     elif kind == "comparisons":
-        tree = without_comparisons(tree, _VERBS)
+        tree = comparisons.run(tree, _VERBS)
     elif kind == "objections":
-        tree = without_objection(tree, _VERBS)
+        tree = objection.run(tree, _VERBS)
     else:
-        tree = without_formulas(tree, _VERBS)
+        tree = formulas.run(tree, _VERBS)
     return " ".join(word.form for word in tree.open_words if word.upos != "PUNCT")
 
 

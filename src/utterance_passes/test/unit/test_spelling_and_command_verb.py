@@ -4,17 +4,12 @@ from typing import Optional
 
 import pytest
 
-from utterance_passes.command_verb import command_verb_position, rerooted
+from utterance_passes.command_verb import command_verb_position, reroot
 from utterance_passes.conllu import from_conllu
+from utterance_passes.hesitation import false_starts, hesitation, repeated_starts
 from utterance_passes.running import run_text_passes
-from utterance_passes.spelling import (
-    Spelling,
-    as_said,
-    without_false_starts,
-    without_hesitation,
-    without_repeated_starts,
-)
-from utterance_passes.text_table import TEXT_PASSES
+from utterance_passes.spelling import Spelling, as_said
+from utterance_passes.table import TEXT_PASSES
 from utterance_passes.vocabulary import Verbs
 
 VERBS = Verbs(frozenset(["scrub", "ping", "name", "turn"]))
@@ -79,12 +74,12 @@ def test_command_verb_position(sentence: str, position: Optional[int]) -> None:
     assert command_verb_position(sentence.split(), VERBS) == position
 
 
-def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
+def test_reroot_makes_the_verb_the_root_and_keeps_a_tree() -> None:
     tree = from_conllu(
         "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _"
         "\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
     )
-    assert [(word.head, word.deprel) for word in rerooted(tree, VERBS).words] == [
+    assert [(word.head, word.deprel) for word in reroot.run(tree, VERBS).words] == [
         (0, "root"),
         (3, "det"),
         (1, "obj"),
@@ -92,9 +87,9 @@ def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
     ]
 
 
-def test_rerooted_leaves_a_right_tree_alone() -> None:
+def test_reroot_leaves_a_right_tree_alone() -> None:
     tree = from_conllu("1 Ping ping VERB VB _ 0 root _ _")
-    assert rerooted(tree, VERBS) is tree
+    assert reroot.run(tree, VERBS) is tree
 
 
 @pytest.mark.parametrize(
@@ -109,7 +104,7 @@ def test_rerooted_leaves_a_right_tree_alone() -> None:
     ],
 )
 def test_false_starts(said: str, written: str) -> None:
-    made = without_false_starts(as_said(said))
+    made = false_starts.run(as_said(said))
     assert made.text == written
     assert len(made.origins) == len(made.text) + 1
     assert [said[made.origins[place]] for place in range(len(made.text))] == list(made.text)
@@ -124,7 +119,7 @@ def test_false_starts(said: str, written: str) -> None:
     ],
 )
 def test_repeated_starts(said: str, written: str) -> None:
-    assert without_repeated_starts(as_said(said)).text == written
+    assert repeated_starts.run(as_said(said)).text == written
 
 
 @pytest.mark.parametrize(
@@ -139,7 +134,7 @@ def test_repeated_starts(said: str, written: str) -> None:
     ],
 )
 def test_hesitation(said: str, written: str) -> None:
-    assert " ".join(without_hesitation(as_said(said)).text.split()) == written
+    assert " ".join(hesitation.run(as_said(said)).text.split()) == written
 
 
 @pytest.mark.parametrize(
@@ -150,4 +145,4 @@ def test_hesitation(said: str, written: str) -> None:
     ],
 )
 def test_a_filler_between_two_numbers_stays(said: str, left: str) -> None:
-    assert without_hesitation(as_said(said)).text == left
+    assert hesitation.run(as_said(said)).text == left

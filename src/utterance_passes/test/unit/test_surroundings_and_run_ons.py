@@ -30,7 +30,7 @@ VERBS = Verbs(frozenset(["turn", "open", "close", "take", "bring", "scrub", "bak
     ],
 )
 def test_a_command_is_found_in_what_is_said_around_it(said: str, command: str, around: List[str]) -> None:
-    found = surroundings(as_said(said), VERBS)
+    found = surroundings.run(as_said(said), VERBS)
     assert found is not None and found.command.text == command
     assert [f"{word.form}:{word.deprel}" for word in found.words][: len(around)] == around
 
@@ -51,12 +51,12 @@ def test_a_command_is_found_in_what_is_said_around_it(said: str, command: str, a
     ],
 )
 def test_there_is_no_command_alone_in_it(said: str) -> None:
-    assert surroundings(as_said(said), VERBS) is None
+    assert surroundings.run(as_said(said), VERBS) is None
 
 
 def test_the_words_of_the_command_keep_their_places_in_the_text() -> None:
     said = "would you mind tying it"
-    found = surroundings(as_said(said), VERBS)
+    found = surroundings.run(as_said(said), VERBS)
     assert found is not None and found.command.text == "tie it" and found.verb == "tying"
     start = found.command.origins[found.command.text.index("it")]
     assert said[start:] == "it"
@@ -80,7 +80,7 @@ def test_the_words_of_the_command_keep_their_places_in_the_text() -> None:
 )
 def test_run_ons(text: str, positions: Tuple[int, ...]) -> None:
     words = [item.split("|") for item in text.split()]
-    assert run_ons([word[0] for word in words], [word[1] for word in words], VERBS) == positions
+    assert run_ons.run([word[0] for word in words], [word[1] for word in words], VERBS) == positions
 
 
 COMMAND = from_short("turn|VERB|0|root left|ADV|1|advmod")

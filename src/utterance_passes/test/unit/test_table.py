@@ -1,11 +1,14 @@
-"""The table of passes: each does what its example says, the order is the one written here, no pass calls another."""
+"""The table of passes: each does what its example says, stands in the table once, and calls no other."""
 
 import ast
+import importlib
+import pkgutil
 from pathlib import Path
-from typing import List, Tuple
+from typing import Dict, List, Optional, Tuple
 
 import pytest
 
+import utterance_passes
 from utterance_passes.conllu import from_short
 from utterance_passes.running import (
     run_cut_passes,
@@ -14,18 +17,19 @@ from utterance_passes.running import (
     run_tree_passes,
     run_word_passes,
 )
-from utterance_passes.spelling import as_said
-from utterance_passes.table import PASSES
-from utterance_passes.text_table import TEXT_PASSES
+from utterance_passes.spelling import Spelling, as_said
+from utterance_passes.table import NODES, PASSES, TEXT_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import (
     CutPass,
+    Example,
+    Kind,
     Pass,
-    Stage,
     SurroundingsPass,
     TextPass,
     TreePass,
     WordPass,
+    text_pass,
 )
 
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
@@ -36,8 +40,8 @@ def test_names_are_told_apart() -> None:
 
 
 def test_the_passes_of_the_parser_come_first() -> None:
-    stages = [one.stage for one in PASSES]
-    assert stages == sorted(stages, key=[Stage.PARSER, Stage.FRAMER].index)
+    nodes = [NODES[one.name] for one in PASSES]
+    assert nodes == sorted(nodes, key=["stanford_parser_ros", "semantic_framer"].index)
 
 
 @pytest.mark.parametrize("one", PASSES, ids=lambda one: one.name)
@@ -102,32 +106,55 @@ def test_text_is_parted_before_blanks_are_counted() -> None:
     assert run_text_passes(" go <pause> 3ft -2 ", TEXT_PASSES).text == "go 3 ft minus 2"
 
 
-#: Functions of the modules that hold passes are called by the table alone.
-RUNS = {
-    (one.run.__module__.rsplit(".", 1)[-1], one.run.__name__)  # type: ignore[attr-defined]
-    for one in PASSES
-    if not isinstance(one, TextPass)
-}
+def passes_by_module() -> Dict[str, List[Pass]]:
+    """The passes that each module of the package names, but for the table."""
+    found = {}
+    for module in pkgutil.iter_modules(utterance_passes.__path__):
+        names = vars(importlib.import_module(f"utterance_passes.{module.name}"))
+        found[module.name] = [value for value in names.values() if isinstance(value, Pass)]
+    del found["table"]
+    return found
 
 
-def test_no_pass_calls_another() -> None:
-    names = {name for _, name in RUNS}
-    for path in PACKAGE.glob("*.py"):
-        if not path.name.endswith("table.py"):
-            tree = ast.parse(path.read_text(encoding="utf-8"))
-            used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-            used |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-            assert not used & names, path.name
+def test_each_pass_is_in_the_table_once() -> None:
+    written = [one for passes in passes_by_module().values() for one in passes]
+    assert sorted(one.name for one in written) == sorted(one.name for one in PASSES)
+    assert {id(one) for one in written} == {id(one) for one in PASSES}
 
 
-def test_the_modules_of_passes_import_no_module_of_another_pass() -> None:
-    modules = {module for module, _ in RUNS} | {"spelling"}
-    # What finds times and clauses looks at a tree and changes none, and a spelling is a value.
-    looking = {"times": {"find_times"}, "spelling": {"Spelling"}}
-    for module in modules:
+def test_no_module_imports_a_pass_of_another() -> None:
+    for module, passes in passes_by_module().items():
+        for one in passes:
+            made_of = one.run  # type: ignore[attr-defined]
+            assert made_of.__module__ == f"utterance_passes.{module}", f"{module} imports {one.name}"
+            assert made_of.__name__ == one.name
+
+
+def test_no_pass_runs_another() -> None:
+    for module, passes in passes_by_module().items():
         tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
-        for node in ast.walk(tree):
-            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("utterance_passes."):
-                other = node.module.split(".")[1]
-                if other in modules:
-                    assert {alias.name for alias in node.names} <= looking.get(other, set()), (module, other)
+        runs = [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == "run"]
+        assert not passes or not runs, f"{module}.py:{runs[:1]}"
+
+
+@pytest.mark.parametrize(
+    "written, what",
+    [
+        ("Say it once. Then no more.", "Say it once."),
+        ('Set aside "if you ... please", and *only* that', None),
+        ('Set aside\n    "if you ... please", and *only* that.', 'Set aside "if you ... please", and only that.'),
+        ('Write "minus".\n\n    Args:', 'Write "minus".'),
+        (None, None),
+    ],
+)
+def test_what_a_pass_does_is_the_first_sentence_of_its_docstring(written: Optional[str], what: Optional[str]) -> None:
+    def unchanged(spelling: Spelling) -> Spelling:
+        return spelling
+
+    unchanged.__doc__ = written
+    make = text_pass(Kind.SPELLING, Example("", ("",)))
+    if what is None:
+        with pytest.raises(ValueError, match="the docstring of unchanged begins with no sentence"):
+            make(unchanged)
+    else:
+        assert make(unchanged) == TextPass("unchanged", what, Example("", ("",)), Kind.SPELLING, unchanged)

@@ -6,7 +6,7 @@ import pytest
 
 from semantic_frames import load_lexical_units
 from utterance_passes.spelling import as_said
-from utterance_passes.typos import spellings_of, without_typos
+from utterance_passes.typos import spellings_of, typos
 from utterance_passes.vocabulary import Verbs
 
 KNOWN = Verbs(
@@ -41,7 +41,7 @@ KNOWN = Verbs(
     ],
 )
 def test_typo(said: str, written: Optional[str]) -> None:
-    made = without_typos(as_said(said), KNOWN)
+    made = typos.run(as_said(said), KNOWN)
     assert made.text == (written or said)
     assert len(made.origins) == len(made.text) + 1
     assert made.origins[-1] == len(said)
@@ -75,7 +75,7 @@ MARCHING = Verbs(frozenset(["turn", "march", "give", "go"]), spellings=frozenset
     ],
 )
 def test_a_typo_is_no_name(said: str, written: Optional[str]) -> None:
-    assert without_typos(as_said(said), MARCHING).text == (written or said)
+    assert typos.run(as_said(said), MARCHING).text == (written or said)
 
 
 def test_the_end_of_a_name_is_no_word() -> None:
@@ -86,4 +86,4 @@ def test_the_end_of_a_name_is_no_word() -> None:
 
 
 def test_nothing_is_corrected_without_a_lexicon() -> None:
-    assert without_typos(as_said("trun left"), Verbs()).text == "trun left"
+    assert typos.run(as_said("trun left"), Verbs()).text == "trun left"
