@@ -6,7 +6,7 @@ import pytest
 from direct_body import DirectBody
 
 from home_servers.body import CannotDo, Interrupted
-from home_servers.going import follow
+from home_servers.going import follow, move_along
 from home_servers.handling import put
 from home_servers.memory import Known, Memory
 from home_servers.skills import Skills
@@ -107,6 +107,20 @@ def test_what_only_a_side_of_somebody_tells_is_refused(relation, place):
     with pytest.raises(CannotDo, match=f'what is meant by "{side}"'):
         skills.find(phrase(f"the table {side}", head="table", frames=(location,)), "furniture")
     assert skills.find(phrase("the table"), "furniture").id == "kitchen_table"
+
+
+def test_along_the_room_where_it_is_the_robot_drives_to_the_end():
+    _, body, skills = make()
+    begin = body.place()
+    move_along(skills, FilledFrame("moving_along_path", (phrase("the hall", name="path", relation="along"),)))
+    assert body.room() == "hall"
+    assert abs(body.place()[0] - begin[0]) > 3.0
+
+
+def test_a_way_past_furniture_is_refused():
+    _, _, skills = make()
+    with pytest.raises(CannotDo, match="past or along the sofa"):
+        move_along(skills, FilledFrame("moving_along_path", (phrase("the sofa", name="path"),)))
 
 
 def test_what_was_told_is_looked_at_first():
