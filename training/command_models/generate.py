@@ -6,6 +6,7 @@ from typing import FrozenSet, Iterator, List, Set, Type
 
 from .clauses import Clauses
 from .conllu import Sentence, problems
+from .conventions import settled, unclear
 from .elaborate import Elaborate
 from .errors import TrainingError
 from .lexicon import EVALUATION, TRAINING, Lexicon, evaluation_words
@@ -116,8 +117,8 @@ def generate(
         tries += 1
         if tries > 60 * count + 1000:
             raise TrainingError(f"the frames yield only {made} different sentences; asked for {count}")
-        root = build.utterance()
-        if len(root.parts()) > LONGEST:
+        root = settled(build.utterance())
+        if len(root.parts()) > LONGEST or unclear(root):
             continue
         style = draw_style(chooser)
         mark = "?" if _asks(root) else "!" if chooser.random() < 0.08 else "."

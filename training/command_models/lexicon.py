@@ -83,9 +83,15 @@ TRAINING = Lexicon(
         """
         red blue green yellow black white brown grey big small large little old new long short clean dirty empty full
         heavy light hot cold wooden plastic metal round square tall soft pink orange purple dark bright fresh broken
-        nearest closest other next last first second third main left right far near empty wet dry thin thick warm"""
+        nearest closest other next last first second third main left right far near empty wet dry thin thick warm violet
+        magenta scarlet maroon golden silver teal lilac cyan navy khaki triangular oval cubic flat curved shallow huge
+        enormous miniature sturdy delicate spotted dotted checkered opaque dull smooth rough dented faded"""
     ),
-    states=_words("open closed on off hot cold clean dirty empty full ready locked free busy warm wet dry here there"),
+    states=_words(
+        """
+        open closed on off hot cold clean dirty empty full ready locked free busy warm wet dry here there unfinished
+        unoccupied untidy unused unharmed undamaged occupied crowded dusty tidy safe broken"""
+    ),
     transitive=_words(
         """
         take grab grasp get find fetch bring carry hold lift open close clean wash wipe check inspect examine watch

