@@ -48,10 +48,7 @@ from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health
-from roboframenet_ros.replays import OLDEST_NS
 from roboframenet_ros.ros_hand_over import HandOver
-from roboframenet_ros.ros_replays import REPLAYED
-from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -94,13 +91,12 @@ class CommandServerNode:
         self._brake_settings = brake_settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
         self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
-        self._last_stop_ns = 0
+        self._last_stop_ns = self._last_stamp_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
         self._text_ids = TextIds(TextSource.TEXT)
-        self._last_stamp_ns = 0
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
@@ -108,9 +104,8 @@ class CommandServerNode:
         command_plan = HandOver("command_plan", CommandPlan)
         self._orders_due = OrdersDue(self._commands, command_plan, on_not_begun=self._conclude)
         self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
-        self._cancels = CancelTopic()
-        self._replies = Replies()
-        self._replayed = Replayed(self._replies)
+        self._cancels, self._replies = CancelTopic(), Replies()
+        self._replayed = Replayed(self._replies, settings)
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
         self._brakings: Dict[str, Braking] = {}
         self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
@@ -205,9 +200,8 @@ class CommandServerNode:
             self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
-        elif isinstance(event, Braked):
-            if event.order.key in self._brakings:
-                self._brakings[event.order.key] = Braking(braked=event)
+        elif isinstance(event, Braked) and event.order.key in self._brakings:
+            self._brakings[event.order.key] = Braking(braked=event)
         elif isinstance(event, Finding):
             self._hear_finding(event)
 
@@ -224,10 +218,9 @@ class CommandServerNode:
             command_id = self._text_ids.next_id()
             self._replies.note_taken(said.text)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
-            said.delay_s, longest_s=self._settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
+            said.delay_s, longest_s=self._replayed.longest_delay_s
         )
-        text = said.text[: self._settings.max_text_length]
-        command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
+        command = CommandText(command_id, self._last_stamp_ns, said.text[: self._settings.max_text_length])
         self._replies.note_heard(command)
         if refusal is None and takes_back(
             said.text, self._replies.last_reply, is_free=not self._commands.open_commands
@@ -327,8 +320,7 @@ class CommandServerNode:
         self._texts.drop(event.command.id)
         entry = self._commands.get(event.command.id)
         is_done = event.is_final and event.reply.outcome == Reply.DONE
-        if entry is None and event.is_final and event.reply.code == REPLAYED:
-            self._replies.tell(ending_of_event(event))
+        if entry is None and self._replayed.tells(event):
             return
         if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):
             rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
