@@ -49,10 +49,7 @@ from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health
-from roboframenet_ros.replays import OLDEST_NS
 from roboframenet_ros.ros_hand_over import HandOver
-from roboframenet_ros.ros_replays import REPLAYED
-from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.emergency import CODE as EMERGENCY_STOP
@@ -95,22 +92,20 @@ class CommandServerNode:
         self._settings = settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
         self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
-        self._last_stop_ns = 0
+        self._last_stop_ns = self._last_stamp_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
         self._text_ids = TextIds(TextSource.TEXT)
-        self._last_stamp_ns = 0
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
         self._texts, self._language = TextsOut(), LanguageService()
         command_plan = HandOver("command_plan", CommandPlan)
         self._stopped_plans = StoppedPlans(self._commands, command_plan, on_declined=self._conclude)
-        self._cancels = CancelTopic()
-        self._replies = Replies()
-        self._replayed = Replayed(self._replies)
+        self._cancels, self._replies = CancelTopic(), Replies()
+        self._replayed = Replayed(self._replies, settings)
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
         self._emergency = gate = EmergencyGate(self._brake, on_released=self._events.put)
         self._orders_due = OrdersDue(self._commands, command_plan, gate.refusal, on_not_begun=self._conclude)
@@ -241,10 +236,9 @@ class CommandServerNode:
             command_id = self._text_ids.next_id()
             self._replies.note_taken(said.text)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
-            said.delay_s, longest_s=self._settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
+            said.delay_s, longest_s=self._replayed.longest_delay_s
         )
-        text = said.text[: self._settings.max_text_length]
-        command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text)
+        command = CommandText(command_id, self._last_stamp_ns, said.text[: self._settings.max_text_length])
         self._replies.note_heard(command)
         is_free = not self._commands.open_commands
         is_order_meant = refusal is None and takes_back(said.text, self._replies.last_reply, is_free=is_free)
@@ -349,8 +343,7 @@ class CommandServerNode:
         self._texts.drop(event.command.id)
         entry = self._commands.get(event.command.id)
         is_done = event.is_final and event.reply.outcome == Reply.DONE
-        if entry is None and event.is_final and event.reply.code == REPLAYED:
-            self._replies.tell(ending_of_event(event))
+        if entry is None and self._replayed.tells(event):
             return
         if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):
             rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)

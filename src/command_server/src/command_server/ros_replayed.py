@@ -2,26 +2,39 @@
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import OrderDue
+from roboframenet_msgs.msg import OrderDue, StageEvent
 
 from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome
+from command_server.ros_messages import ending_of_event
 from command_server.ros_replies import Replies
+from command_server.settings import Settings
 from roboframenet_ros.command_ids import TextIds, TextSource
-from roboframenet_ros.replays import AGAIN, Replays, Taken
+from roboframenet_ros.replays import AGAIN, OLDEST_NS, Replays, Taken
 from roboframenet_ros.ros_replays import REPLAYED
+from roboframenet_ros.ros_robots import own_robot
 
 
 class Replayed:
     """Takes each goal, and each order that is due, once. One thread owns it."""
 
-    def __init__(self, replies: Replies) -> None:
+    def __init__(self, replies: Replies, settings: Settings) -> None:
         """
         Args:
             replies: tells the refusals, each under an id of its own: the command may have had its one reply
+            settings: of the node
         """
+        #: A goal that took longer comes late, seconds.
+        self.longest_delay_s = settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
         self._replies = replies
         self._goals, self._orders = Taken(), Replays()
         self._ids = TextIds(TextSource.REPLAYED)
+
+    def tells(self, event: StageEvent) -> bool:
+        """Tell what a stage refuses, if it does so because of a recording; returns whether that is so."""
+        is_replayed = bool(event.is_final and event.reply.code == REPLAYED)
+        if is_replayed:
+            self._replies.tell(ending_of_event(event))
+        return is_replayed
 
     def refuses_goal(self, handle: actionlib.ServerGoalHandle) -> bool:
         """Take a goal, or refuse one that was taken; one that is only old is answered as any other that comes late."""

@@ -16,6 +16,8 @@ from roboframenet_ros.suspension import SuspensionWatch
 #: Between two looks at a server that is connected beforehand, seconds, and how many there are: a graph that starts has
 #: more to do.
 _PAUSE_S, _LOOKS = 0.05, 10
+#: A server that is not connected is looked for after this time, seconds.
+_GRACE_S = 0.3
 #: A longer turn of a wait means that this process did not run, seconds.
 _LONGEST_TURN_S = 0.5
 
@@ -110,19 +112,24 @@ class ActionClients:
         Returns:
             why it is not connected, a clause that follows its name; empty when it is, and when the wait is over
         """
-        if not connection.is_ready():
-            left_s = self.absent.left_s(connection.server, timeout_s)
-            end_s = time.monotonic() + left_s
-            suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
-            while not connection.is_ready():
-                end_s += suspension.turn()
-                if is_over():
-                    return ""
-                if time.monotonic() >= end_s:
-                    self.absent.hear_vain(connection.server)
-                    return "is not running" + (f": no answer within {timeout_s:g} s" if left_s else "")
+        server = connection.server
+        # Most are connected before a look would be answered.
+        end_s = time.monotonic() + (0.0 if self.absent.is_missing(server) else min(_GRACE_S, timeout_s))
+        left_s: Optional[float] = None
+        suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
+        while not connection.is_ready():
+            end_s += suspension.turn()
+            if is_over():
+                return ""
+            if time.monotonic() < end_s:
                 pause()
-        self.absent.hear_connected([connection.server])
+            elif left_s is None:
+                left_s = self.absent.left_s(server, timeout_s)
+                end_s = time.monotonic() + left_s
+            else:
+                self.absent.hear_vain(server)
+                return "is not running" + (f": no answer within {timeout_s:g} s" if left_s else "")
+        self.absent.hear_connected([server])
         return ""
 
     def missing(self, servers: AbstractSet[str]) -> FrozenSet[str]:
