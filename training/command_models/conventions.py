@@ -52,7 +52,7 @@ _MOVING = frozenset(
     sneak swim roll jump hop back look carry drag push pull send drop lower raise lift slide tilt push navigate return
     scoot creep rush hurry continue shift bend tip fall""".split()
 )
-#: Verbs of motion without an object: of "go down the hall", "down" is the preposition (in EWT 27 of 27).
+#: Verbs of motion without an object: of "go down the hall", "down" is the preposition (in EWT 27 of 34).
 _GOING = frozenset(
     """go come walk run travel proceed head drive climb march stroll crawl sneak continue creep scoot hurry rush
     navigate return ride step swim fly advance""".split()
@@ -206,7 +206,7 @@ def _told(verb: Node) -> Node:
 
 
 def _predicating(verb: Node) -> Node:
-    """Of "my task is to clean", the subject stands outside of the clause: 50 of 52 in EWT."""
+    """Of "my task is to clean", the subject stands outside of the clause: 52 of 53 in EWT."""
     if not any(child.rel == "cop" for child in verb.left):
         return verb
     left = tuple(replace(child, rel="nsubj:outer") if child.rel == "nsubj" else child for child in verb.left)

@@ -141,7 +141,7 @@ def doing_person(p: Phrases) -> Node:
     if doing.lemma in ("raise", "wear", "hold"):
         held = words.noun(p.one("arm hand coat hat bag cup")).pre("amod", words.adjective(p.one("left right red blue")))
         doing = doing.post("obj", held.pre("nmod:poss" if p.maybe(0.5) else "det", words.word("the")))
-        doing = doing if doing.right[0].left[0].rel == "det" else inflection_owned(p, doing)
+        doing = doing if doing.right[0].left[0].rel == "det" else _with_an_owner(p, doing)
     elif doing.lemma == "point":
         way = words.noun(p.one("left right")).pre("det", words.word("the"))
         doing = doing.post("obl", way.pre("case", words.adposition("to")))
@@ -156,7 +156,7 @@ def doing_person(p: Phrases) -> Node:
     return inflection.imperative(verb).post("obj", what).post("obl", p.nouns.marked("to", person))
 
 
-def inflection_owned(p: Phrases, doing: Node) -> Node:
+def _with_an_owner(p: Phrases, doing: Node) -> Node:
     """The same with "their" in the place of "the"."""
     held = words.noun(doing.right[0].form).pre("nmod:poss", words.word(p.one("their his her")))
     return words.gerund(doing.lemma, "Tense=Pres|VerbForm=Part").post("obj", held)
