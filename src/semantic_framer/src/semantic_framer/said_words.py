@@ -39,7 +39,9 @@ _AUXILIARIES = (
     word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
 )
 _CROSSING = word_class("prepositions_of_crossing")
+_DENYING = frozenset(["not", "no"])
 _DIRECTIONS = word_class("all_directions")
+_EACH = "each"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
@@ -142,7 +144,7 @@ class _Check:
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
         places = {one.start: self._tree.text[one.start : one.end] for one in self._lost_in_rewriting()}
-        places.update((word.start_character, word.form) for word in self._torn())
+        places.update((word.start_character, word.form) for word in (*self._torn(), *self._denied()))
         for run in self._runs():
             places.update((word.start_character, word.form) for word in self._unread_of(run))
         return (*(places[place] for place in sorted(places)), *_signs(self._tree.text))
@@ -162,6 +164,19 @@ class _Check:
             if last is not None and last.form.lower() == "of" and last.head in taken:
                 found += [self._tree.word(index) for index in argument.positions]
         return found
+
+    def _denied(self) -> List[Word]:
+        """Return the words that deny a phrase that would be done, "follow me but *not* into the kitchen", and "each",
+        which alone is no thing."""
+        heads = {argument.head_position for argument in self._arguments if not argument.exceptions}
+        found = [
+            word
+            for word in self._words
+            if word.head in heads and word.form.lower() in _DENYING and word.deprel in ("advmod", "discourse", "det")
+        ]
+        alone = (argument for argument in self._arguments if len(argument.positions) == 1)
+        words = [self._tree.word(index) for argument in alone for index in argument.positions]
+        return found + [word for word in words if word.form.lower() == _EACH]
 
     def _phrases(self) -> FrozenSet[int]:
         """Return the positions of phrases that may go unread, and of comparisons, which hold words that are read."""

@@ -11,11 +11,10 @@ from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
     run_text_passes,
-    run_tree_passes,
     run_word_passes,
 )
 from utterance_passes.spelling import Spelling, stripped
-from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TEXT_PASSES, WORD_PASSES
+from utterance_passes.table import CUT_PASSES, SURROUNDINGS_PASSES, TEXT_PASSES, WORD_PASSES
 from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import at_origins, joined, with_words_around
@@ -167,8 +166,7 @@ class Parser:
             for tree, each in zip(trees, runs):
                 run.trace.extend(moved(each.trace.lines, tree, whole))
             return whole
-        tree = at_origins(tree, text, spelling.origins)
-        return run_tree_passes(tree, run.vocabulary, PARSER_TREE_PASSES, without=run.without, trace=run.trace)
+        return at_origins(tree, text, spelling.origins)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Tells particles and prepositions apart: "go *up* to the desk", "drive *down* the hall", "*ahead of* Bob"."""
+"""Tells particles and prepositions apart: "go *up* to the desk", "*ahead of* Bob"."""
 
 from typing import FrozenSet, Iterable, List
 
@@ -13,8 +13,6 @@ _CHANGED_STATES = word_class("changed_states")
 _PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _TO_PREPOSITIONS = word_class("to_prepositions")
-_GOING = word_class("verbs_of_going")
-_OF_WAYS = frozenset(["down", "up"])
 _ADVERB, _PREPOSITION = "ahead", "of"
 
 
@@ -69,34 +67,6 @@ def _phrases_at(
     if position > len(tree.words) or tree.word(position).form.lower() not in prepositions:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
-
-
-@tree_pass(
-    Kind.REPAIR,
-    Example(
-        "go|VERB|0|root down|ADP|1|compound:prt halls|NOUN|1|obj to|ADP|5|case Bob|PROPN|1|obl",
-        ("down: compound:prt(go) -> case(halls)", "halls: obj(go) -> obl(go)"),
-    ),
-)
-@only_with("compound:prt")
-def ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a way of what stands behind "down" and before the goal: "drive *down the hall* to the door"."""
-    edit = TreeEdit(tree)
-    for particle in tree.words:
-        verb = tree.word(particle.head) if particle.head else particle
-        children = tree.children(verb.index)
-        ways = [child for child in children if child.deprel == "obj" and child.index > particle.index]
-        is_going = verb.lemma.lower() in _GOING and particle.deprel == "compound:prt"
-        if not is_going or particle.form.lower() not in _OF_WAYS or len(ways) != 1:
-            continue
-        behind = [child for child in children if child.deprel == "obl" and child.index > ways[0].index]
-        goals = [
-            case for child in behind for case in tree.children(child.index) if case.form.lower() in _TO_PREPOSITIONS
-        ]
-        if goals and particle.index + 1 == min(tree.subtree(ways[0].index)):
-            edit.make_preposition(particle.index, ways[0].index)
-            edit.relabel(ways[0].index, "obl")
-    return edit.tree()
 
 
 @tree_pass(

@@ -10,7 +10,6 @@ from utterance_passes import (
     aspectual_verbs,
     avoided_places,
     awaited_deeds,
-    command_verb,
     comparisons,
     contrasts,
     corrections,
@@ -74,8 +73,6 @@ SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (surroundings.surroundings,)
 #: Find the places where the parser cuts a text, to parse each part alone.
 CUT_PASSES: Tuple[CutPass, ...] = (run_ons.run_ons,)
 
-#: Passes that the parser runs on its own tree before it publishes the tree.
-PARSER_TREE_PASSES: Tuple[TreePass, ...] = (command_verb.reroot,)
 
 #: Remove the words that a person takes back; they run before all other passes of the framer.
 CORRECTION_PASSES: Tuple[TreePass, ...] = (
@@ -91,7 +88,6 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     wished_results.wished_results,
     contrasts.exceptions,
     contrasts.meant_instead,
-    particles.ways_behind_particles,
     avoided_places.avoided_places,
     awaited_deeds.awaited_deeds,
     items_in_order.items_in_order,
@@ -131,7 +127,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
 
 _BY_NODE: Mapping[str, Tuple[Pass, ...]] = {
-    "stanford_parser_ros": TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + PARSER_TREE_PASSES,
+    "stanford_parser_ros": TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES,
     "semantic_framer": FRAMER_TREE_PASSES,
 }
 #: All passes in order, from the text to the tree that the framer reads.

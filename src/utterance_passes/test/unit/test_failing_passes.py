@@ -55,7 +55,7 @@ def test_each_kind_of_pass_keeps_to_this() -> None:
 
 def test_some_passes_only_repair_the_parse() -> None:
     repairs = [one.name for one in PASSES if one.kind is Kind.REPAIR]
-    assert "reroot" in repairs and "quotations" not in repairs and "objection" not in repairs
+    assert "run_ons" in repairs and "quotations" not in repairs and "objection" not in repairs
 
 
 def test_a_clause_has_words() -> None:

@@ -25,7 +25,11 @@ LEAST_PROBABILITY = 0.02
 MOST_ALTERNATIVES = 5
 #: To a governor that no window holds together with the word.
 UNKNOWN_RELATION = "obl"
+#: Relation of words that a speaker takes back, in Universal Dependencies.
+TAKEN_BACK = "reparandum"
 _NEVER = -1e4
+#: By how much the score of a governor falls that a word has only as one that is taken back.
+_UNLIKELY = 20.0
 
 
 class Alternative(NamedTuple):
@@ -77,6 +81,10 @@ class JointNetwork:
         self._root = files.labels["deprel"].index("root")
         self._unknown = np.zeros(len(files.labels["deprel"]), np.float32)
         self._unknown[files.labels["deprel"].index(UNKNOWN_RELATION)] = 100.0
+        # What a speaker takes back is for the framer to decide, which asks where it is not certain.
+        self._not_read = [
+            number for number, label in enumerate(files.labels["deprel"]) if label in ("root", TAKEN_BACK)
+        ]
         self._vocabulary = PieceVocabulary(files.pieces)
 
     def analyse(self, forms: Sequence[str]) -> Analysis:
@@ -113,6 +121,7 @@ class JointNetwork:
             arcs = said["arcs"][rows].astype(np.float64)
             own = np.arange(rows.start, rows.stop)
             arcs[own - rows.start, own + 1] = -np.inf  # no word governs itself
+            arcs -= _UNLIKELY * self._taken_back(said["relations"][rows])
             arcs -= arcs.max(axis=1, keepdims=True)
             arcs -= np.log(np.exp(arcs).sum(axis=1, keepdims=True))
             square[part.first + 1 : part.last + 1, 0] = arcs[:, 0]
@@ -134,6 +143,12 @@ class JointNetwork:
             relations,
             tuple(alternatives),
         )
+
+    def _taken_back(self, relations: "Floats") -> "NDArray[np.bool_]":
+        """Return for which governors a word would rather be taken back than anything else."""
+        best = relations.argmax(axis=2)
+        taken: NDArray[np.bool_] = np.isin(best, [n for n in self._not_read if n != self._root])
+        return taken
 
     def _governors(
         self,
@@ -161,10 +176,9 @@ class JointNetwork:
             number, row = places[word]
             column = head - parts[number].start
             known = scores[number]["relations"]
-            # That of the root is not read.
             rows.append(known[row, column] if 0 < column < known.shape[1] else self._unknown)
         labels = np.array(rows, np.float64)
-        labels[:, self._root] = -np.inf
+        labels[:, self._not_read] = -np.inf
         best = labels.argmax(axis=1)
         shares = np.exp(labels - labels[np.arange(len(best)), best][:, None]).sum(axis=1)
         is_root = np.array(governors) == 0

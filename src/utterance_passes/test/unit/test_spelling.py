@@ -1,18 +1,11 @@
-"""What is done to a text before the parse, and to the parse of a command."""
-
-from typing import Optional
+"""What is done to a text before the parse."""
 
 import pytest
 
-from utterance_passes.command_verb import command_verb_position, reroot
-from utterance_passes.conllu import from_conllu
 from utterance_passes.hesitation import false_starts, hesitation, repeated_starts
 from utterance_passes.running import run_text_passes
 from utterance_passes.spelling import Spelling, as_said
 from utterance_passes.table import TEXT_PASSES
-from utterance_passes.vocabulary import Verbs
-
-VERBS = Verbs(frozenset(["scrub", "ping", "name", "turn"]))
 
 
 def rewrite(said: str) -> Spelling:
@@ -54,42 +47,6 @@ def test_rewrite_remembers_where_words_came_from(said: str) -> None:
     for word in ("left", "now", "degrees", "go"):
         if word in said:
             assert said[spelling.origins[spelling.text.index(word)] :].startswith(word)
-
-
-@pytest.mark.parametrize(
-    "sentence, position",
-    [
-        ("Scrub the pot", 1),
-        ("please scrub the pot", 2),
-        ("robot , please ping", 4),
-        ("uh okay turn left", 3),
-        ("the name", None),
-        ("Name is Bob", None),
-        ("I turn", None),
-        ("", None),
-        ("please", None),
-    ],
-)
-def test_command_verb_position(sentence: str, position: Optional[int]) -> None:
-    assert command_verb_position(sentence.split(), VERBS) == position
-
-
-def test_reroot_makes_the_verb_the_root_and_keeps_a_tree() -> None:
-    tree = from_conllu(
-        "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _"
-        "\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
-    )
-    assert [(word.head, word.deprel) for word in reroot.run(tree, VERBS).words] == [
-        (0, "root"),
-        (3, "det"),
-        (1, "obj"),
-        (1, "punct"),
-    ]
-
-
-def test_reroot_leaves_a_right_tree_alone() -> None:
-    tree = from_conllu("1 Ping ping VERB VB _ 0 root _ _")
-    assert reroot.run(tree, VERBS) is tree
 
 
 @pytest.mark.parametrize(
