@@ -13,6 +13,7 @@ from utterance_passes import (
     comparisons,
     contrasts,
     corrections,
+    deeds_at_times,
     formulas,
     hearers,
     hesitation,
@@ -30,7 +31,6 @@ from utterance_passes import (
     shared_verbs,
     specified_items,
     surroundings,
-    times,
     turns_in_place,
     typos,
     wished_results,
@@ -120,7 +120,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
     reasons.reasons,
     argument_clusters.argument_clusters,
     shared_verbs.shared_verbs,
-    times.times,
+    deeds_at_times.times,
 )
 
 #: Passes on the tree that the parser publishes.

@@ -10,9 +10,6 @@ from spoken_quantities import find_number
 from utterance_passes.amounts import read_amounts
 from utterance_passes.clock_times import clock_time_at
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import mark_times
-from utterance_passes.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
@@ -41,15 +38,6 @@ _OCCASIONS = ("time", "times")
 _AFTER_TIMES = _TIMES_OF_DAY | _CLOCK
 #: Prepositions before a time of the clock, "*until* 20:15"; "at" is read with it.
 _BEFORE_CLOCKS = _CLOCK_PREPOSITIONS | _PREPOSITIONS
-
-
-@tree_pass(
-    Kind.MEANING,
-    Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), Verbs(frozenset(["turn"]))),
-)
-def times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Mark the phrases that say when to do something: "turn *at five*"."""
-    return mark_times(tree, find_times(tree))
 
 
 def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
