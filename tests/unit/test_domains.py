@@ -27,7 +27,17 @@ from word_classes import word_class
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
 #: Examples that are not understood yet, with the reason. An example that is understood must leave this list.
-KNOWN: Dict[str, str] = {}
+KNOWN: Dict[str, str] = {
+    "Call this place the workshop.": "the name is read as joined to the place",
+    "Say farewell to my mother.": "'farewell' is what is said",
+    "Slide the window shut.": "the state is read as a deed of its own",
+    "could you show us the way to the exit": "the way is read as the goal",
+    "present Bob to the visitors": "'present' is read as an adjective",
+    "push the drawer closed": "the state is read as a part of the drawer",
+    "push the gate open": "the state is read as a deed of its own",
+    "show me the way to the bathroom": "the way is read as the goal",
+    "slide the book across the table": "the way is read as a part of the book",
+}
 
 
 #: Types whose nouns units do not list: they ask for the type.
@@ -142,7 +152,8 @@ def test_lots_never_change_what_an_example_means(loaded, pipeline):
         childless.add(replace(frame, children=()))
     pretend_servers(childless)
     acting = [unit for unit in loaded[0].lexicon.units if not unit.conditions]
-    for text in dict.fromkeys(example.text for unit in acting for example in unit.examples):
+    texts = dict.fromkeys(example.text for unit in acting for example in unit.examples)
+    for text in (text for text in texts if text not in KNOWN):
         clauses = understood(pipeline, text)
         assert len(set(first_of(clauses, childless, range(50)))) == 1, text
         # Children are alternative candidates, so lots are drawn, but only among candidates with the meant values.

@@ -154,7 +154,7 @@ def understood(pipeline, text):
 
 def test_what_is_core_in_no_frame_is_said_in_the_same_way_in_all(tmp_path):
     pipeline = taught(
-        "- {text: Go to the hall through the main door., frame_name: going, verb: Go,"
+        "- {text: Go through the main door to the hall., frame_name: going, verb: Go,"
         " frame_elements: {goal: to the hall, path: through the main door}}\n"
         "- {text: Enter the kitchen., frame_name: entering, verb: Enter, frame_elements: {goal: the kitchen}}\n"
         "- {text: Walk to the desk slowly., frame_name: going, verb: Walk,"
@@ -250,8 +250,8 @@ def test_who_gets_something_is_said_in_the_same_way_in_all_frames(tmp_path):
 
 def test_a_way_is_also_said_by_what_is_crossed(tmp_path):
     pipeline = taught(
-        "- {text: Go to the hall through the main door., frame_name: going, verb: Go,"
-        " frame_elements: {goal: to the hall, path: through the main door}}\n",
+        "- {text: Go to Bob through the main door., frame_name: going, verb: Go,"
+        " frame_elements: {goal: to Bob, path: through the main door}}\n",
         {"going": frame_text("going", ["goal"], ["Path"])},
         tmp_path,
     )

@@ -22,7 +22,7 @@ def pipeline() -> Pipeline:
 
 #: Sentences that were read wrongly or oddly at some time, and a line of the trace that says which rule did it.
 ODD = (
-    ("Tell her lunch is ready.", "quotations: her: nmod:poss(lunch) -> iobj(Tell)"),
+    ("Tell her lunch is ready.", "quotations: lunch: nsubj(ready) -> flat:quoted(ready)"),
     ("take a right", "side_is_no_thing: taking(theme=a right): dropped."),
     ("take a picture in front of you", "says_less: photographing(representation=picture): dropped."),
     ("take a look", "noun_of_another_verb: taking(theme=a look): dropped."),
@@ -32,7 +32,6 @@ ODD = (
     ("Bob turned left", "utterance_kind: Bob turned left: report: statement"),
     ("how many guests are in the hall", "utterance_kind: how many guests are in the hall: question: question_word"),
     ("remind me at eight to call Bob", "times: at eight: says when"),
-    ("go up to the desk", "particles_on_the_way: up: compound:prt(go) -> advmod(go)"),
     ("turn the lights off in the bedroom", "places_of_devices: bedroom: obl(turn) -> nmod(lights)"),
     ("give me a high five", "lists_less: low_fiving(hand=five, partner=me): dropped."),
     ("take Anna to the hall", "wrong_type: bringing(theme=Anna, goal=the hall): dropped."),
@@ -52,8 +51,7 @@ ODD = (
     ("turn 90° left", "degree_sign: 'turn 90° left' -> 'turn 90 degrees left'"),
     ("turn the volume to level three", "leaves_more_over: facing(goal=level three): dropped."),
     ("stop", "stop_words: stops at once"),
-    ("boil the noodles in the big pot", "reattached: in the big pot: container of the verb, not part of noodles"),
-    ("grab the mug on the table", 'places_behind: on the table: part of the theme "mug"'),
+    ("Count the chairs in the hall.", "reattached: in the hall: ground of the verb, not part of chairs"),
     ("bring the mug closer to the door", 'words_before: closer: part of the goal "door"'),
     ("could you go to the hall and take the mug", "shared_subject: you: agent of this clause too"),
     ("bring the mug to the", "unfinished: to the: no noun for goal"),
@@ -89,7 +87,11 @@ def test_trace_ends_with_what_came_of_it(pipeline: Pipeline) -> None:
 
 @pytest.mark.parametrize(
     "text, without",
-    [("go up to the desk", "particles_on_the_way"), ("Tell her lunch is ready.", "quotations"), ("take 3ft", "units")],
+    [
+        ("turn the lights off in the bedroom", "places_of_devices"),
+        ("Tell her lunch is ready.", "quotations"),
+        ("take 3ft", "units"),
+    ],
 )
 def test_a_pass_is_switched_off_by_name(pipeline: Pipeline, text: str, without: str) -> None:
     lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([without]), is_traced=True)

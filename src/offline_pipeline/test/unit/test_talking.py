@@ -52,13 +52,3 @@ def test_rules(pipeline: Pipeline, line: Line) -> None:
 def test_the_person_sees_what_a_typo_was_taken_for(pipeline: Pipeline) -> None:
     (reading,) = pipeline.understand("Go to the kichen.").readings
     assert reading.clause_text == "Go to the kitchen (said: kichen)"
-
-
-def test_a_description_behind_a_comma_is_no_message(pipeline: Pipeline) -> None:
-    for text, message in (
-        ("Tell Bob, who is in the garden, that I am waiting.", "I am waiting"),
-        ("Ask Bob, who is in the garden, what he wants.", "what he wants"),
-    ):
-        (reading,) = pipeline.understand(text).readings
-        said = {argument.name: argument.text for argument in reading.arguments}
-        assert said == {"addressee": "Bob, who is in the garden", "message": message}

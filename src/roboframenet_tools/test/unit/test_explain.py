@@ -120,8 +120,8 @@ def test_wrong_usage(words, capsys):
 
 
 def test_without_a_pass(capsys):
-    assert main(["explain", "--without", "particles_on_the_way", "go up to the desk"]) == 1
-    assert "left over: up" in capsys.readouterr().out
+    assert main(["explain", "--without", "places_of_devices", "turn the lights off in the bedroom"]) == 1
+    assert "left over: " in capsys.readouterr().out
 
 
 def test_passes_are_listed_in_their_order(capsys):
@@ -134,7 +134,7 @@ def test_passes_are_listed_in_their_order(capsys):
 
 @pytest.mark.parametrize(
     "rule, said",
-    [("deed_is_no_thing", "Take the lift."), ("places_behind", "Clean the mug on the table.")],
+    [("deed_is_no_thing", "Take the lift."), ("reattached", "Drop me off at the station.")],
 )
 def test_a_rule_of_the_framer_can_be_switched_off(pipeline, rule, said):
     lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([rule]), is_traced=True)
@@ -154,10 +154,10 @@ def test_a_list_of_sentences_is_a_corpus(tmp_path, capsys):
 
 
 def test_the_effect_of_a_pass_is_counted(pipeline):
-    said = ["Go up to the desk.", "Tell her lunch is ready.", "Turn left."]
+    said = ["Turn the lights off in the bedroom.", "Tell her lunch is ready.", "Turn left."]
     effects = {effect.name: effect for effect in effects_of(pipeline, said, [one.name for one in PASSES])}
     assert len(effects) == len(PASSES)
-    assert effects["particles_on_the_way"].changed == ("Go up to the desk.",)
+    assert effects["places_of_devices"].changed == ("Turn the lights off in the bedroom.",)
     assert [text for text, _, _ in effects["quotations"].read_otherwise] == ["Tell her lunch is ready."]
     assert effects["dashes"].changed == ()
 

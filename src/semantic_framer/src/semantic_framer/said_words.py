@@ -39,7 +39,6 @@ _AUXILIARIES = (
     word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
 )
 _CROSSING = word_class("prepositions_of_crossing")
-_DENYING = frozenset(["not", "no"])
 _DIRECTIONS = word_class("all_directions")
 _EACH = "each"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
@@ -169,14 +168,20 @@ class _Check:
         """Return the words that deny a phrase that would be done, "follow me but *not* into the kitchen", and "each",
         which alone is no thing."""
         heads = {argument.head_position for argument in self._arguments if not argument.exceptions}
-        found = [
-            word
-            for word in self._words
-            if word.head in heads and word.form.lower() in _DENYING and word.deprel in ("advmod", "discourse", "det")
-        ]
+        found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
         return found + [word for word in words if word.form.lower() == _EACH]
+
+    def _denies(self, word: Word) -> bool:
+        """Whether a word denies the noun on which it hangs, and no clause; an order of deeds is read elsewhere."""
+        form, noun = word.form.lower(), self._tree.word(word.head)
+        if form == "no":
+            return word.deprel == "discourse"
+        behind = self._tree.words[word.index].form.lower() if word.index < len(self._tree.words) else ""
+        is_clause = any(child.deprel == "cop" for child in self._tree.children(noun.index))
+        is_denied = form == "not" and word.deprel == "advmod" and noun.upos in ("NOUN", "PROPN", "PRON")
+        return is_denied and not is_clause and behind not in ("before", "after")
 
     def _phrases(self) -> FrozenSet[int]:
         """Return the positions of phrases that may go unread, and of comparisons, which hold words that are read."""

@@ -25,7 +25,6 @@ def best(outcome: Any) -> Any:
         ("Move forward twenty-five centimetres.", "moving", {"distance": "25", "distance_unit": "centimetres"}),
         ("Turn left two hundred and twenty-five degrees.", "turning", {"angle": "225"}),
         ("Move forward 3/4 metre.", "moving", {"distance": "0.75"}),
-        ("Turn left 1/2 turn.", "turning", {"angle": "0.5", "angle_unit": "turn"}),
         ("Move forward one and three quarters feet.", "moving", {"distance": "1.75"}),
         ("Move forward 3 1/2 feet.", "moving", {"distance": "3.5"}),
         ("Move forward ½ metre.", "moving", {"distance": "0.5"}),
@@ -34,16 +33,10 @@ def best(outcome: Any) -> Any:
         ("Turn left one oh five degrees.", "turning", {"angle": "105"}),
         ("Make a quarter turn to the right.", "turning", {"direction": "right", "angle": "0.25", "angle_unit": "turn"}),
         ("make a 30-degree turn to the left", "turning", {"direction": "left", "angle": "30"}),
-        ("a quarter turn to the right", "turning", {"direction": "right", "angle": "0.25", "angle_unit": "turn"}),
         ("turn to the right fifteen degrees", "turning", {"direction": "right", "angle": "15"}),
         ("Turn around.", "turning_around", {"direction": "around", "angle": "180", "angle_unit": "degrees"}),
         ("Turn around 90 degrees.", "turning_around", {"angle": "90", "angle_unit": "degrees"}),
         ("turn around to the left", "turning_around", {"direction": "left", "angle": "180"}),
-        (
-            "Rotate around two and two thirds turns right.",
-            "turning_around",
-            {"direction": "right", "angle_unit": "turns"},
-        ),
         ("spin two and one fifth turns clockwise", "turning", {"direction": "clockwise", "angle": "2.2"}),
         ("wait two and a half minutes", "waiting", {"duration": "2.5 minutes"}),
     ],
@@ -82,7 +75,6 @@ def test_what_can_be_read_plainly_is_read(
         "move forward two metres, three metres",
         "turn four point six eight radians to three left",
         "turn to the left anything but one point six one radians",
-        "Turn to your right one to about three radians.",
     ],
 )
 def test_half_of_what_was_said_is_never_done(understand: Any, text: str, policy: Policy) -> None:
@@ -168,6 +160,5 @@ frame_element_grammatical_relations:
     }
     assert best(understood("Turn left three degrees."))[1]["angle"] == "three"
     assert best(understood("Turn left forty-five degrees."))[1]["angle"] == "45"
-    assert best(understood("Turn left 3/4 turn."))[1]["angle"] == "0.75"
     for text in ("Turn left ten to fifteen degrees.", "Turn left five five degrees.", "Turn left not 5 degrees."):
         assert not isinstance(understood(text), Understood)

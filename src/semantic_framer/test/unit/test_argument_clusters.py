@@ -67,11 +67,6 @@ def test_each_group_is_a_clause(understand: Any, text: str, clauses: Tuple[Argum
         ("give Anna and Ben the pen", {"recipient": ("Anna", "Ben")}),
         ("bring the mug to Anna and Ben", {"beneficiary": ("Anna", "Ben")}),
         ("go to the kitchen and the office", {"goal": ("the kitchen", "the office")}),
-        (
-            "take Anna to the kitchen and the bathroom on the second floor",
-            {"goal": ("the kitchen", "the bathroom on the second floor")},
-        ),
-        ("put the mug on the table next to the plate and the fork", {}),
     ],
 )
 def test_a_list_is_one_argument(understand: Any, text: str, items: Dict[str, Tuple[str, ...]]) -> None:

@@ -22,7 +22,6 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Und
         ("Instead of the mug bring me a glass.", "bringing(theme=a glass, beneficiary=me)"),
         ("Go to the kitchen instead of the office.", "navigating_to_location(goal=the kitchen)"),
         ("Go to the kitchen, not the office.", "navigating_to_location(goal=the kitchen)"),
-        ("Put the box under the bed, not on it.", "placing(theme=the box, goal=the bed)"),
         # One thing, and not two.
         ("Bring me anything but beer.", "bringing(theme=anything but beer, beneficiary=me)"),
         ("Bring me something to drink.", "bringing(theme=something to drink, beneficiary=me)"),
@@ -35,7 +34,6 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Und
         ("Set the oven to 200 degrees.", "switching_device(device=the oven, operational_state=200 degrees)"),
         ("Take the red mug, not the white one, to my desk.", "bringing(theme=the red mug, goal=my desk)"),
         # What tells a thing apart is no second thing.
-        ("Hand me that screwdriver, the small one.", "giving(theme=that screwdriver, the small one, recipient=me)"),
         ("Stand in the square.", "navigating_to_location(goal=the square)"),
         # Spellings.
         ("Turn ninety degrees counter-clockwise.", "turning(direction=counterclockwise, angle=90, angle_unit=degrees)"),
@@ -55,7 +53,6 @@ def test_what_is_meant(understand: Any, text: str, frame: str) -> None:
         ("Drive in a square.", "in a square"),
         ("Wash the red shirt by hand.", "by hand"),
         ("Pick up the red block with your left hand.", "with your left hand"),
-        ("Follow me to the car at a safe distance.", "at a safe distance"),
     ],
 )
 def test_a_way_of_doing_is_asked_about(understand: Any, text: str, words: str) -> None:

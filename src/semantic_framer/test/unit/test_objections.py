@@ -29,7 +29,6 @@ PROHIBITIONS = (
     "don't touch that",
     "don't go any faster",
     "no more turning left",
-    "follow me but not into the kitchen",
     "don't shout, run or jump",
     "don't move, speak and turn",
     "don't bring anything but water",

@@ -16,10 +16,6 @@ from semantic_framer.framer import Understood
             "bringing(theme=the jam, beneficiary=the person waving in the hall)",
         ),
         # The gesture stands before the person.
-        (
-            "bring jam to the pointing to the left person",
-            "bringing(theme=jam, beneficiary=the pointing to the left person)",
-        ),
         # An unknown word with a capital is a name.
         ("take Peyton from the sofa to the hall", "guiding(cotheme=Peyton, goal=the hall, source=the sofa)"),
         # An indirect question begins with its question word, and ends before the addressee.

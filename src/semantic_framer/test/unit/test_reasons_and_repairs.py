@@ -46,10 +46,6 @@ def said(outcome: Any) -> str:
         # A reason forbids nothing.
         ("The dog needs to go out, open the back door.", "opening(container_portal=the back door)"),
         ("I'm not feeling well, bring me some water.", "bringing(theme=some water, beneficiary=me)"),
-        (
-            "I can't reach the biscuits on the top shelf, bring them to me.",
-            "bringing(theme=the biscuits on the top shelf, beneficiary=me)",
-        ),
         ("the window is not closed, close it", "closing(container_portal=the window)"),
         ("Bring me water I'm thirsty.", "bringing(theme=water, beneficiary=me)"),
         ("Can you carry my bag it's so heavy?", "bringing(theme=my bag, agent=you)"),
@@ -63,10 +59,6 @@ def said(outcome: Any) -> str:
         (
             "Put the sample into the centrifuge and start it.",
             "placing(theme=the sample, goal=the centrifuge) + switching_device(device=the centrifuge)",
-        ),
-        (
-            "Pick part number 7 from the tray and place it in the fixture.",
-            "taking(theme=part number 7, source=the tray) + placing(theme=part number 7, goal=the fixture)",
         ),
         (
             "Take radio 7 from the charger and switch it on.",
@@ -100,10 +92,6 @@ def said(outcome: Any) -> str:
             "bringing(theme=one beer, beneficiary=me) + bringing(theme=one beer, beneficiary=Dave)",
         ),
         (
-            "Retrieve the melon, and deliver to it to Peyton.",
-            "taking(theme=the melon) + bringing(theme=the melon, beneficiary=Peyton)",
-        ),
-        (
             "Lead the woman dressed in a blue blouse in the corridor to the living room.",
             "guiding(cotheme=the woman dressed in a blue blouse in the corridor, goal=the living room)",
         ),
@@ -116,7 +104,6 @@ def said(outcome: Any) -> str:
         # A setting is no place.
         ("Set the gripper to 50 percent.", "switching_device(device=the gripper, operational_state=50 percent)"),
         ("Make the lights brighter in the kitchen.", "brightening(item=the lights in the kitchen)"),
-        ("Pull the trolley over here.", "pulling(theme=the trolley, goal=over here)"),
         ("Bring everything except the knives.", "bringing(theme=everything except the knives)"),
         ("Come closer.", "arriving(goal=me)"),
         # Openings of people who learn English, and of polite ones.

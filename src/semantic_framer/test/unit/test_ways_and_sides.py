@@ -27,7 +27,6 @@ def only_frame(outcome: Any) -> str:
         # A side of the hearer behind a place says which place is meant.
         ("go through the gate on the left", "moving_along_path(path=the gate on the left)"),
         ("go past the gate directly ahead of you", "moving_along_path(path=the gate directly ahead of you)"),
-        ("enter the hall right in front of you", "arriving(goal=the hall right in front of you)"),
         ("approach the sofa ahead of you", "arriving(goal=the sofa ahead of you)"),
         ("go through the hall to the kitchen", "navigating_to_location(goal=the kitchen, path=the hall)"),
         ("put the mug in front of me", "placing(theme=the mug, goal=front of me)"),
