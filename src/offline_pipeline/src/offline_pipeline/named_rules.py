@@ -3,6 +3,7 @@
 from typing import Iterable, Mapping, NamedTuple, Tuple
 
 from semantic_framer.rules import RULES
+from stanford_parser_ros.joint import lexicon_hints
 from utterance_passes.table import NODES, PASSES
 
 #: The stage of the rules that are no passes.
@@ -16,8 +17,9 @@ class NamedRule(NamedTuple):
     what: str
 
 
-#: The passes in their order, then the rules of the framer, by their names in the trace.
+#: The rule of the units' words, the passes in their order, then the rules of the framer, by their names in the trace.
 NAMED_RULES: Mapping[str, NamedRule] = {
+    lexicon_hints.RULE: NamedRule("stanford_parser_ros", lexicon_hints.WHAT),
     **{one.name: NamedRule(NODES[one.name], one.what) for one in PASSES},
     **{name: NamedRule(FRAMER, what) for name, what in RULES.items()},
 }

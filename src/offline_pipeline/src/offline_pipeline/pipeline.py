@@ -29,6 +29,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.reading import Reading
 from semantic_types import WordTypes
+from stanford_parser_ros.joint.lexicon_hints import hints_of
 from stanford_parser_ros.model import KnownWords, Parser, UnparsableText, shipped_parser
 from typed_arguments.goal_text import to_plain
 from utterance_passes.trace import Trace, TraceLine
@@ -152,6 +153,7 @@ class Pipeline:
             frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs),
             spellings_of(knowledge.lexicon.units),
             frozenset(word for name in types.names for word in name.lower().split()),
+            hints_of(knowledge.lexicon.units),
         )
 
     @property

@@ -2,17 +2,22 @@
 
 import os
 from pathlib import Path
-from typing import Dict, Mapping, Protocol, Tuple
+from typing import Dict, Mapping, Protocol, Sequence, Tuple
 
 from utterance_passes.conllu import from_conllu, to_conllu
 from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import NamedWord
 
 RECORDING = Path(os.path.realpath(__file__)).parents[2] / "recorded" / "parses.conllu"
 #: Comment of a parse whose tags were given to the models.
 _TAGS_ARE_GIVEN = "# tags = given"
+#: Comment of a parse by the words that units name: the fields of each ``NamedWord``.
+_NAMED_WORDS = "# named words = "
 _HEAD = "# newdoc id = answers of the parser's models; 'make record' writes this file\n"
 
-#: A text, and for a second parse the lemma and the tags that each word was given; without them for a first parse.
+#: A text, and for a second parse the lemma and the tags that each word was given, or the words that units name;
+#: nothing for a
+#: first parse.
 Key = Tuple[str, Tuple[Tuple[str, ...], ...]]
 
 
@@ -32,6 +37,9 @@ class Models(Protocol):
     def reparse(self, tree: DependencyTree) -> DependencyTree:
         """Parse words again by their tags."""
 
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """Parse words again by the words that units name."""
+
 
 def key_of_text(text: str) -> Key:
     """Return the key of a first parse."""
@@ -41,6 +49,28 @@ def key_of_text(text: str) -> Key:
 def key_of_tags(tree: DependencyTree) -> Key:
     """Return the key of a second parse."""
     return tree.text, tuple((word.form, word.lemma, word.upos, word.xpos, word.feats) for word in tree.words)
+
+
+def key_of_named_words(tree: DependencyTree, named: Sequence[NamedWord]) -> Key:
+    """Return the key of a parse by the words that units name."""
+    return tree.text, tuple(tuple(str(int(field)) for field in one) for one in named)
+
+
+def named_words_of(key: Key) -> Tuple[NamedWord, ...]:
+    """Return the words of a key that units name; none for another key."""
+    if not all(field.isdigit() for one in key[1] for field in one):
+        return ()
+    words = (tuple(map(int, one)) for one in key[1])
+    return tuple(NamedWord(word, length, noun, verb, bool(kind)) for word, length, noun, verb, kind in words)
+
+
+def _key_of_block(block: str, tree: DependencyTree) -> Key:
+    for line in block.split("\n"):
+        if line == _TAGS_ARE_GIVEN:
+            return key_of_tags(tree)
+        if line.startswith(_NAMED_WORDS):
+            return tree.text, tuple(tuple(one.split()) for one in line[len(_NAMED_WORDS) :].split(";"))
+    return key_of_text(tree.text)
 
 
 def read_recording(text: str) -> Dict[Key, DependencyTree]:
@@ -53,7 +83,7 @@ def read_recording(text: str) -> Dict[Key, DependencyTree]:
     for block in text.split("\n\n"):
         if block.strip():
             tree = from_conllu(block)
-            found[key_of_tags(tree) if _TAGS_ARE_GIVEN in block.split("\n") else key_of_text(tree.text)] = tree
+            found[_key_of_block(block, tree)] = tree
     return found
 
 
@@ -64,7 +94,9 @@ def render_recording(parses: Mapping[Key, DependencyTree]) -> str:
         block = to_conllu(parses[key])
         if key[1]:
             text, words = block.split("\n", 1)
-            block = f"{text}\n{_TAGS_ARE_GIVEN}\n{words}"
+            tree = parses[key]
+            comment = _TAGS_ARE_GIVEN if key == key_of_tags(tree) else _NAMED_WORDS + "; ".join(map(" ".join, key[1]))
+            block = f"{text}\n{comment}\n{words}"
         blocks.append(block)
     return _HEAD + "\n".join(blocks)
 
@@ -86,7 +118,7 @@ class RecordedInference:
         Raises:
             NotRecorded: there is none
         """
-        return self._recorded(key_of_text(text))
+        return self._recorded(key_of_text(text), "")
 
     def reparse(self, tree: DependencyTree) -> DependencyTree:
         """Return the recorded parse of words with given tags.
@@ -94,15 +126,24 @@ class RecordedInference:
         Raises:
             NotRecorded: there is none
         """
-        return self._recorded(key_of_tags(tree))
+        tags = " ".join(f"{word.form}/{word.upos}" for word in tree.words)
+        return self._recorded(key_of_tags(tree), f" with the tags {tags}")
 
-    def _recorded(self, key: Key) -> DependencyTree:
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """Return the recorded parse by the words that units name.
+
+        Raises:
+            NotRecorded: there is none
+        """
+        said = ", ".join(tree.word(one.word).form for one in named)
+        return self._recorded(key_of_named_words(tree, named), f" with the named words {said}")
+
+    def _recorded(self, key: Key, how: str) -> DependencyTree:
         try:
             return self._parses[key]
         except KeyError:
-            tags = " with the tags " + " ".join(f"{word[0]}/{word[2]}" for word in key[1]) if key[1] else ""
             raise NotRecorded(
-                f"no parse of {key[0]!r}{tags} is recorded: 'make record' asks the models, and records what they say"
+                f"no parse of {key[0]!r}{how} is recorded: 'make record' asks the models, and records what they say"
             ) from None
 
 
@@ -130,4 +171,11 @@ class RecordingInference:
         key = key_of_tags(tree)
         if key not in self.parses:
             self.parses[key] = self._models.reparse(tree)
+        return self.parses[key]
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """Return the parse by the words that units name, and keep it."""
+        key = key_of_named_words(tree, named)
+        if key not in self.parses:
+            self.parses[key] = self._models.with_named_words(tree, named)
         return self.parses[key]

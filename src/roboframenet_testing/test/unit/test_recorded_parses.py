@@ -1,6 +1,6 @@
 """Recorded parses are found by what was asked, and written so that a change of one is a change of its lines."""
 
-from typing import List
+from typing import List, Sequence
 
 import pytest
 
@@ -9,8 +9,10 @@ from roboframenet_testing.recorded_parses import (
     NotRecorded,
     RecordedInference,
     RecordingInference,
+    key_of_named_words,
     key_of_tags,
     key_of_text,
+    named_words_of,
     read_recording,
     read_shipped_recording,
     render_recording,
@@ -18,9 +20,11 @@ from roboframenet_testing.recorded_parses import (
 from utterance_passes.conllu import from_short
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import NamedWord
 
 PING = from_short("ping|NOUN|2|compound Bob|PROPN|0|root")
 GO = from_short("go|VERB|0|root home|ADV|1|advmod")
+NAMED = [NamedWord(word=2, length=1, noun=0, verb=1, is_particle=True)]
 
 
 def as_verb(tree: DependencyTree, *, is_root: bool) -> DependencyTree:
@@ -47,12 +51,17 @@ class Models:
         self.asked.append(f"{tree.text} by tags")
         return as_verb(tree, is_root=True)
 
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        self.asked.append(f"{tree.text} by named words")
+        return as_verb(tree, is_root=False)
+
 
 @pytest.fixture
 def recording() -> RecordingInference:
     found = RecordingInference(Models(), {})
     found.parse("ping Bob")
     found.reparse(as_verb(PING, is_root=False))
+    found.with_named_words(PING, NAMED)
     found.parse("go home")
     return found
 
@@ -62,6 +71,7 @@ def test_what_was_recorded_is_answered(recording: RecordingInference) -> None:
     assert recorded.parse("go home") == GO
     assert recorded.parse("ping Bob") == PING
     assert recorded.reparse(as_verb(PING, is_root=False)) == as_verb(PING, is_root=True)
+    assert recorded.with_named_words(PING, NAMED) == as_verb(PING, is_root=False)
 
 
 def test_the_models_are_asked_once_for_each_answer() -> None:
@@ -70,7 +80,8 @@ def test_the_models_are_asked_once_for_each_answer() -> None:
     for _ in range(2):
         again.parse("ping Bob")
         again.reparse(as_verb(PING, is_root=False))
-    assert models.asked == ["ping Bob", "ping Bob by tags"]
+        again.with_named_words(PING, NAMED)
+    assert models.asked == ["ping Bob", "ping Bob by tags", "ping Bob by named words"]
 
 
 def test_what_is_known_is_kept_and_not_asked() -> None:
@@ -80,6 +91,11 @@ def test_what_is_known_is_kept_and_not_asked() -> None:
     more.parse("ping Bob")
     assert models.asked == ["ping Bob"]
     assert set(more.parses) == {key_of_text("go home"), key_of_text("ping Bob")}
+
+
+def test_named_words_are_in_the_key() -> None:
+    assert named_words_of(key_of_named_words(PING, NAMED)) == tuple(NAMED)
+    assert named_words_of(key_of_text("ping Bob")) == named_words_of(key_of_tags(PING)) == ()
 
 
 def test_the_order_of_questions_does_not_matter(recording: RecordingInference) -> None:
@@ -94,6 +110,8 @@ def test_a_missing_parse_names_the_command_that_records_it(recording: RecordingI
         recorded.parse("go away")
     with pytest.raises(NotRecorded, match=r"'go home' with the tags go/VERB home/ADV is recorded: 'make record'"):
         recorded.reparse(GO)
+    with pytest.raises(NotRecorded, match=r"'go home' with the named words home is recorded: 'make record'"):
+        recorded.with_named_words(GO, NAMED)
 
 
 def test_no_boundary_turns_a_missing_parse_into_a_reply() -> None:
@@ -105,4 +123,7 @@ def test_the_shipped_recording_is_as_it_would_be_written() -> None:
     parses = read_shipped_recording()
     assert parses
     assert render_recording(parses) == RECORDING.read_text(encoding="utf-8"), "'make record' writes it anew"
-    assert all(key == key_of_text(tree.text) or key == key_of_tags(tree) for key, tree in parses.items())
+    assert all(
+        key == key_of_text(tree.text) or key in (key_of_tags(tree), key_of_named_words(tree, named_words_of(key)))
+        for key, tree in parses.items()
+    )

@@ -4,11 +4,12 @@ import ctypes
 import threading
 import time
 from pathlib import Path
-from typing import Callable
+from typing import Callable, Sequence
 
 from stanford_parser_ros.inference import Inference, ModelError, StanzaInference
 from stanford_parser_ros.joint.inference import JointInference
 from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import NamedWord
 
 
 class EarlyInference:
@@ -45,6 +46,10 @@ class EarlyInference:
     def reparse(self, tree: DependencyTree) -> DependencyTree:
         """See :meth:`Inference.reparse`."""
         return self._now.reparse(tree)
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """See :meth:`Inference.with_named_words`."""
+        return self._now.with_named_words(tree, named)
 
     def _run(self) -> None:
         begin_s = time.monotonic()

@@ -5,10 +5,11 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, List, Protocol
+from typing import Any, Dict, List, Protocol, Sequence
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import NamedWord
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
 #: Folder of the joint model beside those of a package; where it is, tags, heads and relations come from it.
@@ -40,6 +41,16 @@ class Inference(Protocol):
 
         Returns:
             the tree with other heads and relations
+        """
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """Parse the words of a tree again, so that some of them are what lexical units say.
+
+        Args:
+            tree: as :meth:`parse` returned it
+            named: those words, at least one
+        Returns:
+            the tree; the same where the models do not tell their scores
         """
 
 
@@ -203,6 +214,10 @@ class StanzaInference:
         for word in parsed:
             edit.rehang(word.id, word.head, word.deprel)
         return edit.tree()
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """See :meth:`Inference.with_named_words`."""
+        return tree
 
 
 def _to_stanza(word: Word) -> Any:

@@ -7,6 +7,7 @@ from typing import FrozenSet, Tuple
 
 from stanford_parser_ros.inference import Inference, shipped_model_dir
 from stanford_parser_ros.joint.inference import JointInference
+from stanford_parser_ros.joint.lexicon_hints import RULE, Hint, named_words
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -35,11 +36,13 @@ class KnownWords:
         verbs: first words of the verbs of the lexicon, base forms
         spellings: words of the lexicon, whose typos are corrected; none to correct nothing
         names: words of the names that the robot knows
+        hints: what the units say of the words of their verbs
     """
 
     verbs: FrozenSet[str] = frozenset()
     spellings: FrozenSet[str] = frozenset()
     names: FrozenSet[str] = frozenset()
+    hints: FrozenSet[Hint] = frozenset()
 
 
 NO_WORDS = KnownWords()
@@ -132,7 +135,7 @@ class Parser:
         count = len(_WORD.findall(spelling.text))
         if count > MOST_WORDS:
             raise UnparsableText(f"it has {count} words and signs; I accept at most {MOST_WORDS}", code="TEXT_TOO_LONG")
-        tree = self._tree(text, spelling, _Run(vocabulary, without, trace))
+        tree = self._tree(text, spelling, _Run(vocabulary, known.hints, without, trace))
         return Parse(tree, trace.lines)
 
     def _tree(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
@@ -150,7 +153,7 @@ class Parser:
 
     def _tree_of_commands(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
         """Parse one command, or each of several."""
-        tree = self._inference.parse(spelling.text)
+        tree = self._parsed(spelling, run)
         forms, tags = [word.form for word in tree.words], [word.upos for word in tree.words]
         # Without known verbs the tagger knows best.
         is_known = bool(run.vocabulary.words)
@@ -168,12 +171,23 @@ class Parser:
             return whole
         return at_origins(tree, text, spelling.origins)
 
+    def _parsed(self, spelling: Spelling, run: "_Run") -> DependencyTree:
+        """Ask the models, and ask them again where a word is something else than the units say."""
+        tree = self._inference.parse(spelling.text)
+        named = named_words(tree, run.hints) if RULE not in run.without else ()
+        if not named:
+            return tree
+        found = self._inference.with_named_words(tree, named)
+        run.trace.add_changes(RULE, tree, found)
+        return found
+
 
 @dataclass(frozen=True)
 class _Run:
     """What one parse goes by, and where it is written."""
 
     vocabulary: Verbs
+    hints: FrozenSet[Hint]
     without: FrozenSet[str]
     trace: Trace
 

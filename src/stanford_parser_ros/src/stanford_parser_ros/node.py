@@ -22,6 +22,7 @@ from semantic_frames import load_lexical_units
 from semantic_frames.read_once import ReadOnce
 from stanford_parser_ros.early_inference import load_onnx, load_stanza
 from stanford_parser_ros.inference import Inference, ModelError, shipped_model_dir
+from stanford_parser_ros.joint.lexicon_hints import hints_of
 from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
@@ -154,6 +155,7 @@ class ParserNode:
             self._known,
             verbs=frozenset().union(*(words.verbs for words in found)),
             spellings=frozenset().union(*(words.spellings for words in found)),
+            hints=frozenset().union(*(words.hints for words in found)),
         )
 
     def _on_names(self, message: KnownNames) -> None:
@@ -217,7 +219,8 @@ def _words_of(text: str, path: str) -> KnownWords:
     """
     units = load_lexical_units(text, path)
     # The base form precedes the particle: "pick" of "pick up".
-    return KnownWords(frozenset(verb.split()[0] for unit in units for verb in unit.verbs), spellings_of(units))
+    verbs = frozenset(verb.split()[0] for unit in units for verb in unit.verbs)
+    return KnownWords(verbs, spellings_of(units), hints=hints_of(units))
 
 
 def describe(tree: DependencyTree) -> str:

@@ -4,7 +4,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
-from typing import List
+from typing import List, Sequence
 from unittest import mock
 
 import pytest
@@ -13,6 +13,7 @@ from roboframenet_testing import wait_until
 from stanford_parser_ros.early_inference import EarlyInference, load_onnx, load_stanza
 from stanford_parser_ros.inference import JOINT, PROCESSORS, ModelError, processors_of, shipped_model_dir
 from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import NamedWord
 
 
 class Says:
@@ -25,6 +26,9 @@ class Says:
         return DependencyTree(text=self._name, words=())
 
     def reparse(self, tree: DependencyTree) -> DependencyTree:
+        return self.parse(tree.text)
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         return self.parse(tree.text)
 
 
@@ -45,6 +49,7 @@ def test_the_second_runtime_answers_once_it_is_loaded() -> None:
     wait_until(lambda: bool(times))
     assert early.parse("Turn.").text == "second"
     assert early.reparse(early.parse("Turn.")).text == "second"
+    assert early.with_named_words(early.parse("Turn."), ()).text == "second"
 
 
 def test_the_first_runtime_stays_when_the_second_cannot_be_loaded() -> None:

@@ -1,11 +1,12 @@
 """Texts that the models must never see."""
 
-from typing import List
+from typing import List, Sequence
 
 import pytest
 
 from stanford_parser_ros.model import MOST_WORDS, Parser, UnparsableText
 from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import NamedWord
 
 
 class Asked(Exception):
@@ -23,6 +24,9 @@ class Models:
         raise Asked
 
     def reparse(self, tree: DependencyTree) -> DependencyTree:
+        raise AssertionError("nothing was parsed")
+
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         raise AssertionError("nothing was parsed")
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import FrozenSet, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import FrozenSet, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from utterance_passes.tree import Word
 
@@ -12,6 +12,24 @@ class Speech(Enum):
 
     SAID = "said"
     TOLD = "told"
+
+
+class NamedWord(NamedTuple):
+    """A word that a unit names with its verb, by positions in a sentence.
+
+    Attributes:
+        word: the preposition or the particle, its first word
+        length: number of its words
+        noun: of the preposition, or the object behind the particle; the head of its phrase; 0 for none
+        verb: of the unit
+        is_particle: whether the word is a particle, and no preposition
+    """
+
+    word: int
+    length: int
+    noun: int
+    verb: int
+    is_particle: bool
 
 
 class Vocabulary(Protocol):

@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional, Tuple
+from typing import Optional, Sequence, Tuple
 
 from stanford_parser_ros.inference import JOINT, WARM_UP, check_is_folder
 from stanford_parser_ros.joint.network import Alternative, JointNetwork
 from stanford_parser_ros.words.words import FOLDER, Words
 from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import NamedWord
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,12 @@ class JointInference:
             text: with at least one letter or digit
         """
         forms, spans = self._words.split(text)
-        found = self._network.analyse(forms)
+        return self._reading(text, forms, spans)
+
+    def _reading(
+        self, text: str, forms: Sequence[str], spans: Sequence[Tuple[int, int]], named: Sequence[NamedWord] = ()
+    ) -> Reading:
+        found = self._network.analyse(forms, named)
         lemmas = self._words.lemmas(forms, found.upos)
         words = tuple(
             Word(
@@ -74,13 +79,14 @@ class JointInference:
         )
         return Reading(DependencyTree(text=text, words=words), found.alternatives)
 
+    def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
+        """See :meth:`stanford_parser_ros.inference.Inference.with_named_words`."""
+        spans = [(word.start_character, word.end_character) for word in tree.words]
+        return self._reading(tree.text, [word.form for word in tree.words], spans, named).tree
+
     def reparse(self, tree: DependencyTree) -> DependencyTree:
         """See :meth:`stanford_parser_ros.inference.Inference.reparse`."""
-        found = self._network.analyse([word.form for word in tree.words])
-        edit = TreeEdit(tree)
-        for word, head, relation in zip(tree.words, found.heads, found.relations):
-            edit.rehang(word.index, head, relation)
-        return edit.tree()
+        return tree
 
 
 def described(reading: Reading, least: float = 0.05) -> Tuple[str, ...]:

@@ -1,15 +1,17 @@
 """The network in ONNX Runtime, and what its scores say: tags, the best tree, and what else each word may hang on."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, List, NamedTuple, Sequence, Tuple
+from typing import TYPE_CHECKING, Dict, List, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from stanford_parser_ros.joint.lexicon_hints import masked
 from stanford_parser_ros.joint.model_folder import read_joint_folder
 from stanford_parser_ros.joint.pieces import Pieces, PieceVocabulary
 from stanford_parser_ros.joint.spanning_tree import heads_of_best_tree
 from stanford_parser_ros.joint.windows import Window, windows
 from stanford_parser_ros.onnx_session import onnx_session
+from utterance_passes.vocabulary import NamedWord
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -87,9 +89,12 @@ class JointNetwork:
         ]
         self._vocabulary = PieceVocabulary(files.pieces)
 
-    def analyse(self, forms: Sequence[str]) -> Analysis:
+    def analyse(self, forms: Sequence[str], named: Sequence[NamedWord] = ()) -> Analysis:
         """Analyse the words of one sentence, however long it is.
 
+        Args:
+            forms: its words
+            named: words that lexical units name; see :mod:`stanford_parser_ros.joint.lexicon_hints`
         Raises:
             ValueError: there are no words
         """
@@ -98,7 +103,7 @@ class JointNetwork:
         sizes = [min(LONGEST_WORD, len(self._vocabulary.of_word(form))) for form in forms]
         parts = windows(sizes, MOST_PIECES)
         scores = [self._scores(forms[part.start : part.end]) for part in parts]
-        return self._analysis(len(forms), parts, scores)
+        return self._analysis(len(forms), parts, scores, named)
 
     def _scores(self, forms: Sequence[str]) -> Dict[str, "Floats"]:
         pieces = self._vocabulary.of_sentence(forms, LONGEST_WORD)
@@ -112,7 +117,13 @@ class JointNetwork:
         )
         return dict(zip(("upos", "xpos", "feats", "arcs", "relations"), outputs))
 
-    def _analysis(self, count: int, parts: List[Window], scores: List[Dict[str, "Floats"]]) -> Analysis:
+    def _analysis(
+        self,
+        count: int,
+        parts: List[Window],
+        scores: List[Dict[str, "Floats"]],
+        named: Sequence[NamedWord],
+    ) -> Analysis:
         square = np.full((count + 1, count + 1), _NEVER)
         places: List[Tuple[int, int]] = []
         tags: Dict[str, List[str]] = {"upos": [], "xpos": [], "feats": []}
@@ -130,8 +141,11 @@ class JointNetwork:
             for kind, found in tags.items():
                 found += [self._labels[kind][n] for n in said[kind][rows].argmax(axis=1)]
         np.fill_diagonal(square, -np.inf)
-        heads = heads_of_best_tree(square)[1:]
-        alternatives = self._governors(heads, square[1:], parts, places, scores)
+        given = masked(square, named)
+        heads = heads_of_best_tree(given.logs)[1:]
+        for position, (upos, xpos) in given.tags.items():
+            tags["upos"][position - 1], tags["xpos"][position - 1], tags["feats"][position - 1] = upos, xpos, "_"
+        alternatives = self._governors(heads, given.relations, square[1:], parts, places, scores)
         relations = tuple(
             next(one.relation for one in governors if one.head == head) for head, governors in zip(heads, alternatives)
         )
@@ -153,6 +167,7 @@ class JointNetwork:
     def _governors(
         self,
         heads: Sequence[int],
+        given: Mapping[int, str],
         logs: "NDArray[np.float64]",
         parts: Sequence[Window],
         places: Sequence[Tuple[int, int]],
@@ -162,6 +177,7 @@ class JointNetwork:
 
         Args:
             heads: the chosen one of each word
+            given: relations to the chosen ones that are not the network's, by position
             logs: row i, column j: the logarithm of the probability that word j governs word i + 1
             parts: the windows
             places: number of the window in which each word is read, and its row there
@@ -180,6 +196,9 @@ class JointNetwork:
         labels = np.array(rows, np.float64)
         labels[:, self._not_read] = -np.inf
         best = labels.argmax(axis=1)
+        for row, (word, head) in enumerate(zip(words, governors)):
+            if head == heads[word] and word + 1 in given:
+                best[row] = self._labels["deprel"].index(given[word + 1])
         shares = np.exp(labels - labels[np.arange(len(best)), best][:, None]).sum(axis=1)
         is_root = np.array(governors) == 0
         best[is_root], shares[is_root] = self._root, 1.0
