@@ -43,6 +43,7 @@ LONG_CLASSES = {
     "semantic_framer: SemanticFramer",
     "semantic_framer: _Amending",
     "semantic_framer: _Builder",
+    "semantic_framer: _Check",
     "semantic_framer: _Filling",
     "semantic_framer: _Finder",
     "utterance_passes: _Quotation",
