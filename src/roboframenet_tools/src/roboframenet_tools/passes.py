@@ -8,10 +8,11 @@ from typing import Dict, Iterable, List, Sequence, Tuple
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.sentence_lists import SOURCES, sentences_of
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.named_rules import FRAMER, NAMED_RULES
+from offline_pipeline.named_rules import NAMED_RULES
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_frames import FileRefused
 from stanford_parser_ros.inference import ModelError
+from utterance_passes.table import NODES
 
 EXAMPLES = """examples:
   rfn passes
@@ -66,7 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 2
     if not arguments.corpus:
         for name, (stage, what) in NAMED_RULES.items():
-            if arguments.all or stage != FRAMER:
+            if arguments.all or name in NODES:
                 print(f"{name:<24} {stage:<20} {what}")
         return 0
     corpus, path = arguments.corpus

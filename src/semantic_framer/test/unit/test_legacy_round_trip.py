@@ -101,32 +101,42 @@ TREES: Tuple[Tuple[str, str, str], ...] = (
     # "The office, the big room" may be a list, and "closed" an adjective.
     (
         "prep_to/appos",
-        "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
-        "\n4 room room NOUN NN _ 3 appos _ _",
+        (
+            "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
+            "\n4 room room NOUN NN _ 3 appos _ _"
+        ),
         "room",
     ),
     (
         "appos",
-        "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
-        "\n4 room room NOUN NN _ 3 appos _ _",
+        (
+            "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
+            "\n4 room room NOUN NN _ 3 appos _ _"
+        ),
         "room",
     ),
     (
         "abbrev",
-        "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
-        "\n4 room room NOUN NN _ 3 appos _ _",
+        (
+            "1 act act VERB VB _ 0 root _ _\n2 to to ADP IN _ 3 case _ _\n3 office office NOUN NN _ 1 obl _ _"
+            "\n4 room room NOUN NN _ 3 appos _ _"
+        ),
         "room",
     ),
     (
         "ccomp/nsubjpass",
-        "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
-        "\n4 closed close VERB VBN _ 1 ccomp _ _",
+        (
+            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
+            "\n4 closed close VERB VBN _ 1 ccomp _ _"
+        ),
         "doors",
     ),
     (
         "ccomp/auxpass",
-        "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
-        "\n4 closed close VERB VBN _ 1 ccomp _ _",
+        (
+            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
+            "\n4 closed close VERB VBN _ 1 ccomp _ _"
+        ),
         "are",
     ),
     # "Act both mugs and plates": the models find a determiner.
