@@ -126,16 +126,16 @@ TREES: Tuple[Tuple[str, str, str], ...] = (
     (
         "ccomp/nsubjpass",
         (
-            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
-            "\n4 closed close VERB VBN _ 1 ccomp _ _"
+            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _"
+            "\n3 are be AUX VBP _ 4 aux:pass _ _\n4 closed close VERB VBN _ 1 ccomp _ _"
         ),
         "doors",
     ),
     (
         "ccomp/auxpass",
         (
-            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _\n3 are be AUX VBP _ 4 aux:pass _ _"
-            "\n4 closed close VERB VBN _ 1 ccomp _ _"
+            "1 act act VERB VB _ 0 root _ _\n2 doors door NOUN NNS _ 4 nsubj:pass _ _"
+            "\n3 are be AUX VBP _ 4 aux:pass _ _\n4 closed close VERB VBN _ 1 ccomp _ _"
         ),
         "are",
     ),
