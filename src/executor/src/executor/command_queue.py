@@ -15,6 +15,8 @@ Job = TypeVar("Job")
 _MOST_CANCELLED = 1000
 # A stamp that is further in the future is from before the clock was set back, as simulators do.
 _CLOCK_RESET_NS = 1_000_000_000
+# Each text has a later stamp than the one before: stamps go ahead of a clock that stands, by a nanosecond for each.
+_AHEAD_OF_A_STANDING_CLOCK_NS = 1_000_000
 #: How many commands may wait for the end of others, and how many may run at the same time.
 MOST_WAITING = 20
 MOST_RUNNING = 8
@@ -168,7 +170,8 @@ def after_stop(queue: CommandQueue[Job], *, now_ns: int) -> AfterStop:
         return AfterStop()
     earliest_ns = queue.stop_stamp_ns + PAUSE_AFTER_STOP_NS
     left_ns = earliest_ns - now_ns
-    return AfterStop(left_ns / 1e9, earliest_ns) if 0 < left_ns <= PAUSE_AFTER_STOP_NS else AfterStop()
+    is_near = 0 < left_ns <= PAUSE_AFTER_STOP_NS + _AHEAD_OF_A_STANDING_CLOCK_NS
+    return AfterStop(left_ns / 1e9, earliest_ns) if is_near else AfterStop()
 
 
 def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[Job]:
@@ -179,7 +182,7 @@ def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[
         order: the plan and its command
         now_ns: ROS time; earlier than the last stop means that the clock was set back, as simulators do
     """
-    if queue.stop_stamp_ns is not None and now_ns < queue.stop_stamp_ns:
+    if queue.stop_stamp_ns is not None and now_ns < queue.stop_stamp_ns - _AHEAD_OF_A_STANDING_CLOCK_NS:
         queue = replace(queue, stop_stamp_ns=None)
     key = order.key
     if key.command_id in queue.cancelled_ids or (

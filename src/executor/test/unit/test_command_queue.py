@@ -174,7 +174,7 @@ def test_commands_up_to_the_stop_are_refused(stamp_ns, is_refused):
 
 
 def test_stop_is_forgotten_when_the_clock_was_set_back():
-    queue, _ = stop(CommandQueue(), 5_000)
+    queue, _ = stop(CommandQueue(), 5_000_000_000)
     _, actions = submit(queue, "x", 10, now_ns=11)
     assert isinstance(actions[0], Start)
 
@@ -254,12 +254,13 @@ def test_stop_leaves_a_command_that_was_said_just_after_it():
 
 @pytest.mark.parametrize(
     "now_ns, pause_s",
-    [(10**9, 0.06), (10**9 + 40_000_000, 0.02), (10**9 + 60_000_000, 0.0), (10**9 - 1, 0.0), (10**10, 0.0)],
+    [(10**9, 0.06), (10**9 + 40_000_000, 0.02), (10**9 + 60_000_000, 0.0), (10**9 - 4, 0.06), (10**9 - 2_000_000, 0.0)]
+    + [(10**10, 0.0)],
 )
 def test_no_goal_is_sent_right_after_a_stop(now_ns, pause_s):
     stopped, _ = stop(CommandQueue(), 10**9)
     after = command_queue.after_stop(stopped, now_ns=now_ns)
     assert after.pause_s == pytest.approx(pause_s)
-    # The clock of a simulator may stand during the pause.
+    # The clock of a simulator may stand during the pause, and the stamp of the stop be some nanoseconds ahead of it.
     assert after.stamp_ns == (10**9 + command_queue.PAUSE_AFTER_STOP_NS if pause_s else 0)
     assert command_queue.after_stop(CommandQueue(), now_ns=now_ns) == command_queue.AfterStop()
