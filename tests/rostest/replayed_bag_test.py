@@ -96,8 +96,11 @@ class ReplayedBagTest(unittest.TestCase):
             os.kill(pid, signal.SIGKILL)
             wait_until(lambda pid=pid, node=node: self.is_another(node, pid), message=f"{node} does not come back")
         wait_for_pipeline(["pinging"])
-        # A stage that was started anew also tells what was played before, and had not been taken.
+        known = len(self.replies)
         self.assertEqual({"REPLAYED"}, set(self.told("/command_plan")))
+        # Once in a while the order of the bag is told here too; why is not known. What was played now is told once.
+        own = [reply for reply in self.replies[known:] if reply.command.id.startswith("replayed-")]
+        self.assertEqual(1, [reply.command.text for reply in own].count("Ping."))
         # What was said before a stop, as "Cancel all orders." is one, ends as stopped.
         self.assertEqual({}, self.told("/command_text"))
         known = len(self.replies)
