@@ -47,7 +47,7 @@ def understand_2012(
             particles = [other.form.lower() for other in tree.words[word.index : word.index + len(verb.split()) - 1]]
             if particles != verb.split()[1:]:
                 continue
-            for unit in lexicon.units_of(verb):
+            for unit in lexicon.units_of(verb, frames):
                 frame = frames.get(unit.frame_name)
                 values = _values(sentence, word.index, unit) if frame is not None else ()
                 names = {name for name, _ in values}

@@ -149,11 +149,12 @@ class Pipeline:
         world = world or World()
         types = _types_with(knowledge, world)
         self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, types, heeded, world)
+        units = knowledge.lexicon.whole_units(knowledge.frames)
         self._words = KnownWords(
             frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs),
-            spellings_of(knowledge.lexicon.units),
+            spellings_of(units),
             frozenset(word for name in types.names for word in name.lower().split()),
-            hints_of(knowledge.lexicon.units),
+            hints_of(units),
         )
 
     @property

@@ -5,12 +5,14 @@ import os
 import sys
 
 from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
+from roboframenet_tools.written_out import written_out
 from stanford_parser_ros.inference import ModelError
 
 EXAMPLES = """examples:
   rfn check my_domain
   rfn check --examples my_domain
   rfn check my_domain/frames/winking.yaml --with my_domain
+  rfn check --expanded my_domain/lexical_units/docking.yaml --with my_domain
 
 exit status: 0 no problems, 1 problems, 2 wrong usage
 """
@@ -33,6 +35,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--examples", action="store_true", help="run the examples of each unit through the parser and the framer"
     )
+    parser.add_argument(
+        "--expanded", action="store_true", help="print each unit with the relations that it inherits from roles"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -46,6 +51,10 @@ def run(arguments: argparse.Namespace) -> int:
         print("rfn check: found no YAML files in folders named frames and lexical_units", file=sys.stderr)
         return 2
     problems = find_problems(knowledge, checked)
+    if arguments.expanded:
+        for unit in knowledge.lexicon.whole_units(knowledge.frames):
+            if unit.path in checked and unit.verbs:
+                print(written_out(unit))
     if arguments.examples:
         try:
             problems += example_problems(Examples(knowledge), checked)

@@ -163,31 +163,33 @@ def _frame(ability: Ability) -> str:
 
 
 def _unit(ability: Ability) -> str:
-    relations: List[str] = []
+    special: List[str] = []
     particle = ability.verb.rpartition(" ")[2]
     for element in ability.elements:
         found = list(element.relations)
         if found[:1] == ["dobj"] and particle != ability.verb:
             # "Look after the box": the parser may take the particle for a preposition.
             found.append(f"prep_{particle}")
-        if found:
-            relations += [f"  - name: {element.name}", f"    relation: [{', '.join(found)}]"]
-            if element.values:
-                relations.append(f"    words: [{', '.join(element.values)}]")
-            elif not element.quantity:
-                relations.append("    argument: phrase")
-        else:
-            relations.append(f"  # which words fill {element.name}? 'rfn explain' shows the relations of a sentence")
-    examples = [
-        f"  - text: {_said(text, ability.verb)}\n    frame_elements: {filled}" for text, filled in _examples(ability)
-    ]
+        if not found:
+            special.append(f"  # which words fill {element.name}? 'rfn explain' shows the relations of a sentence")
+        elif element.values:
+            words = ", ".join(element.values)
+            special.append(f"  {element.name}: {{relation: [{', '.join(found)}], words: [{words}]}}")
+        elif not element.quantity and (found != ["dobj"] or not element.is_core):
+            special.append(f"  {element.name}: [{', '.join(found)}]")
+    examples = [f"  {_key(_said(text, ability.verb))}: {filled}" for text, filled in _examples(ability)]
     return _filled(
         "lexical_unit.yaml",
         name=ability.name,
         verb=ability.verb,
-        relations="\n".join(relations or ["  []"]),
+        elements="\n".join(["elements:", *special, ""]) if special else "",
         examples="\n".join(examples),
     )
+
+
+def _key(text: str) -> str:
+    """Return a text as a key of YAML; one with a question mark needs quotation marks in lists only, so it has them."""
+    return f'"{text}"' if "?" in text else text
 
 
 def _server(ability: Ability) -> str:

@@ -117,7 +117,7 @@ def test_new_from_an_action_without_fields_needs_no_elements(tmp_path):
 
 def test_particle_of_a_new_verb_may_be_a_preposition(tmp_path):
     assert main(["new", "looking_after", "--verb", "look after", "--folder", str(tmp_path)]) == 0
-    assert "relation: [dobj, prep_after]" in (tmp_path / "lexical_units" / "looking_after.yaml").read_text()
+    assert "elements:\n  theme: [dobj, prep_after]\n" in (tmp_path / "lexical_units" / "looking_after.yaml").read_text()
 
 
 def test_new_from_an_action_takes_constants_as_values(tmp_path):
@@ -127,8 +127,9 @@ def test_new_from_an_action_takes_constants_as_values(tmp_path):
     elements = {element.name: element for element in knowledge.frames["testing"].frame_elements}
     assert "aborted" in elements["terminate_status"].values
     assert elements["the_result"].quantity is not None and not elements["the_result"].values
-    unit = (tmp_path / "lexical_units" / "testing.yaml").read_text()
-    assert "- name: pause_status\n    relation: [measure]\n" in unit
+    (unit,) = knowledge.lexicon.whole_units(knowledge.frames)
+    relations = {relation.name: [str(path) for path in relation.relations] for relation in unit.relations}
+    assert relations["pause_status"] == ["measure"]
 
 
 def test_new_from_no_action_is_wrong_usage(tmp_path, capsys):

@@ -194,7 +194,7 @@ def _element_meant(sentence: Sentence, reading: Reading, name: str, known: Frame
     heads = [index for index in answering if sentence.word(index).head not in answering]
     cases = [child for head in heads[:1] for child in sentence.children(head) if child.deprel == "case"]
     said = [child.form.lower() for child in cases if child.index in answering]
-    others = (unit for unit in known.lexicon.units_of(reading.verb) if unit.frame_name == reading.unit.frame_name)
+    others = (unit for unit in known.units_of(reading.verb) if unit.frame_name == reading.unit.frame_name)
     for unit in (reading.unit, *others) if said else ():
         marked = [
             relation.name for relation in unit.relations if any(path.preposition in said for path in relation.relations)

@@ -7,6 +7,7 @@ from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.heeding import FrameHeeding
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types import WordTypes, shipped_types
 from utterance_passes.vocabulary import Speech
 from world_model import World
@@ -38,6 +39,10 @@ class FramedLexicon:
     speaker: str = ""
     without: FrozenSet[str] = frozenset()
 
+    def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
+        """Return the units of a verb, with the relations that they inherit."""
+        return self.lexicon.units_of(verb, self.frames)
+
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""
         return self.lexicon.verbs_beginning_with(word)
@@ -48,11 +53,11 @@ class FramedLexicon:
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
         """Return the words that units of a verb list for an element, one entry for each such element."""
-        return self.lexicon.lists_of(verb)
+        return self.lexicon.lists_of(verb, self.frames)
 
     def speech_of(self, verb: str) -> Optional[Speech]:
         """Return whether the addressee of a verb of speech directly follows it; None if no frame has a *Message*."""
-        for unit in self.lexicon.units_of(verb):
+        for unit in self.units_of(verb):
             frame = self.frames.get(unit.frame_name)
             if frame is None or MESSAGE not in frame.roles:
                 continue
@@ -71,7 +76,7 @@ class FramedLexicon:
         asked = _CLAUSES | {f"prepc_{conjunction}"}
         return any(
             path.steps[0] in asked
-            for unit in self.lexicon.units_of(verb)
+            for unit in self.units_of(verb)
             for relation in unit.relations
             for path in relation.relations
         )

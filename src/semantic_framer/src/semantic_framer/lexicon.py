@@ -2,11 +2,16 @@
 
 import difflib
 from collections import defaultdict
+from types import MappingProxyType
 from typing import Collection, Dict, FrozenSet, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
 from semantic_framer.pattern_index import PatternIndex
 from semantic_frames import load_lexical_units
+from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
+from semantic_frames.roles import with_inherited
+
+_NO_FRAMES: Mapping[str, SemanticFrame] = MappingProxyType({})
 
 
 class _Indices(NamedTuple):
@@ -27,6 +32,8 @@ class Lexicon:
         # Made when they are needed, and made again when a file with patterns has changed.
         self._indices: Optional[_Indices] = None
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
+        # Of each unit that inherits relations: its frame, and what they make together.
+        self._whole: Dict[int, Tuple[LexicalUnit, SemanticFrame, LexicalUnit]] = {}
 
     @property
     def files(self) -> Mapping[str, str]:
@@ -63,6 +70,7 @@ class Lexicon:
     def replace_file(self, path: str, text: str, units: Tuple[LexicalUnit, ...]) -> None:
         """Put units that were read from a file in the place of the earlier units of that file."""
         for old in self._files.get(path, ("", ()))[1]:
+            self._whole.pop(id(old), None)
             for verb in old.verbs:
                 self._by_verb[verb].remove(old)
                 if not self._by_verb[verb]:
@@ -93,9 +101,27 @@ class Lexicon:
             sorted(self._by_first_word[first], key=lambda verb: (-len(verb.split()), verb))
         )
 
-    def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
-        """Return the units of a verb; the particle is part of the verb."""
-        return tuple(self._by_verb.get(verb, ()))
+    def units_of(self, verb: str, frames: Mapping[str, SemanticFrame] = _NO_FRAMES) -> Tuple[LexicalUnit, ...]:
+        """Return the units of a verb, with the relations that they inherit; the particle is part of the verb.
+
+        Args:
+            verb: in lower case, with its particle
+            frames: by name; a unit whose frame is not among them inherits nothing
+        """
+        return tuple(self._with_inherited(unit, frames) for unit in self._by_verb.get(verb, ()))
+
+    def whole_units(self, frames: Mapping[str, SemanticFrame]) -> Tuple[LexicalUnit, ...]:
+        """Return every unit with the relations that it inherits; see `units_of`."""
+        return tuple(self._with_inherited(unit, frames) for unit in self.units)
+
+    def _with_inherited(self, unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -> LexicalUnit:
+        frame = frames.get(unit.frame_name)
+        if unit.changes is None or frame is None:
+            return unit
+        known = self._whole.get(id(unit))
+        if known is None or known[0] is not unit or known[1] is not frame:
+            known = self._whole[id(unit)] = (unit, frame, with_inherited(unit, frame))
+        return known[2]
 
     def question_units(self, words: Collection[str]) -> List[LexicalUnit]:
         """Return the units of which a question may fit some words, in the order of the files."""
@@ -119,9 +145,11 @@ class Lexicon:
             )
         return self._indices
 
-    def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
+    def lists_of(self, verb: str, frames: Mapping[str, SemanticFrame] = _NO_FRAMES) -> Tuple[Tuple[str, ...], ...]:
         """Return the words that units of a verb list for an element, one entry for each such element."""
-        return tuple(relation.words for unit in self.units_of(verb) for relation in unit.relations if relation.words)
+        return tuple(
+            relation.words for unit in self.units_of(verb, frames) for relation in unit.relations if relation.words
+        )
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first: "pick up" before "pick"."""

@@ -81,9 +81,9 @@ def read_clause(
     """
     amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
-    is_measuring = any(asks_for_a_measure(unit) for match in matches for unit in known.lexicon.units_of(match.verb))
+    is_measuring = any(asks_for_a_measure(unit) for match in matches for unit in known.units_of(match.verb))
     for match in matches:
-        for unit in known.lexicon.units_of(match.verb):
+        for unit in known.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
             if frame is None:
                 continue

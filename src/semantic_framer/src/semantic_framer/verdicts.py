@@ -352,7 +352,7 @@ def _is_never_dropped(case: ClauseCase, reading: Reading, beside: Tuple[Reading,
 
 def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
     known = case.of.known
-    wanted = {unit.frame_name for match in case.matches for unit in known.lexicon.units_of(match.verb)}
+    wanted = {unit.frame_name for match in case.matches for unit in known.units_of(match.verb)}
     if not wanted & set(known.frames):
         return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
     return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not in this sentence.')

@@ -52,7 +52,6 @@ def test_what_is_meant(understand: Any, text: str, frame: str) -> None:
     [
         ("Drive in a square.", "in a square"),
         ("Wash the red shirt by hand.", "by hand"),
-        ("Pick up the red block with your left hand.", "with your left hand"),
     ],
 )
 def test_a_way_of_doing_is_asked_about(understand: Any, text: str, words: str) -> None:

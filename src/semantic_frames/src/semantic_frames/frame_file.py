@@ -70,7 +70,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     reader = Reader(path)
     root = reader.compose(text, "a mapping with name")
     entries = reader.mapping(root, "", FRAME_KEYS, required=("name",))
-    elements = _elements(reader, entries.get("frame_elements"))
+    elements = _elements(reader, entries.get("frame_elements"), has_framenet="framenet" in entries)
     frame = SemanticFrame(
         name=reader.graph_name(entries.get("name"), "name"),
         description=reader.text(entries.get("description"), "description"),
@@ -97,7 +97,8 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     return frame
 
 
-def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, ...]:
+def _elements(reader: Reader, node: Optional[yaml.Node], *, has_framenet: bool) -> Tuple[FrameElement, ...]:
+    """Read the elements; in a frame of FrameNet each has FrameNet's name, unless it says another one."""
     elements: List[FrameElement] = []
     unit_nodes: List[Tuple[str, yaml.Node, FrameElement]] = []
     for key, item in reader.sequence(node, "frame_elements"):
@@ -106,8 +107,9 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             entries.get("quantity"), f"{key}.quantity", [quantity.value for quantity in Quantity], ""
         )
         quantity = Quantity(quantity_name) if quantity_name else None
+        name = reader.graph_name(entries.get("name"), f"{key}.name")
         element = FrameElement(
-            name=reader.graph_name(entries.get("name"), f"{key}.name"),
+            name=name,
             is_core=reader.boolean(entries.get("is_core"), f"{key}.is_core"),
             default=reader.text(entries.get("default"), f"{key}.default"),
             quantity=quantity,
@@ -120,7 +122,7 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             quantifiers=_names(reader, entries.get("quantifiers"), f"{key}.quantifiers", QUANTIFIERS),
             question=reader.text(entries.get("question"), f"{key}.question"),
             answer=reader.text(entries.get("answer"), f"{key}.answer"),
-            framenet=reader.text(entries.get("framenet"), f"{key}.framenet"),
+            framenet=reader.text(entries.get("framenet"), f"{key}.framenet", name.capitalize() if has_framenet else ""),
             semantic_types=read_semantic_types(reader, entries.get("semantic_type"), f"{key}.semantic_type"),
             confirmed_values=tuple(
                 value.lower() for value in reader.texts(entries.get("confirm"), f"{key}.confirm") if value

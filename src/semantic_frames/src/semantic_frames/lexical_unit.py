@@ -1,10 +1,10 @@
 """Lexical units as values: a verb, the frame it evokes, and which grammatical relation fills which element."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import Mapping, Pattern, Tuple
+from typing import FrozenSet, Iterable, Mapping, Optional, Pattern, Tuple
 
 from semantic_frames.semantic_type import with_parents
 
@@ -76,6 +76,26 @@ class ElementRelation:
 
 
 @dataclass(frozen=True)
+class ElementChange:
+    """What a lexical unit says of an element that it otherwise inherits.
+
+    Attributes:
+        relation: what it says; without relations, those of the element's role stay
+        keys: the attributes of the relation that the unit gives; none if the unit does not fill the element
+    """
+
+    relation: ElementRelation
+    keys: FrozenSet[str] = frozenset()
+
+    def of(self, usual: Iterable[ElementRelation]) -> Tuple[ElementRelation, ...]:
+        """Return how the element is filled, given how it is usually filled."""
+        if self.relation.relations:
+            return (self.relation,)
+        given = {key: getattr(self.relation, key) for key in self.keys}
+        return tuple(replace(one, **given) for one in usual) if given else ()
+
+
+@dataclass(frozen=True)
 class Example:
     """An utterance that the unit must understand, run as a test.
 
@@ -139,6 +159,7 @@ class LexicalUnit:
         frame_name: the frame that is evoked
         verbs: lemmas, a particle included ("pick up"), lower case; empty when it has patterns
         relations: how the elements are filled
+        changes: what is special about elements that the unit inherits; None if it inherits nothing
         examples: utterances that the unit understands
         questions: patterns of whole questions, which are tried in this order
         remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
@@ -151,6 +172,7 @@ class LexicalUnit:
     frame_name: str
     verbs: Tuple[str, ...]
     relations: Tuple[ElementRelation, ...] = ()
+    changes: Optional[Tuple[ElementChange, ...]] = None
     examples: Tuple[Example, ...] = ()
     questions: Tuple[WordPattern, ...] = ()
     conditions: Tuple[WordPattern, ...] = ()

@@ -8,17 +8,16 @@ import yaml
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import (
     SLOT_KINDS,
-    ArgumentForm,
+    ElementChange,
     ElementRelation,
     Example,
     LexicalUnit,
-    RelationPath,
     WordPattern,
 )
-from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
+from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
 from semantic_frames.problem import Problem
-from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
-from semantic_frames.semantic_type import read_semantic_types
+from semantic_frames.relation_reader import RELATION_KEYS, read_relation
+from semantic_frames.roles import inherited, with_inherited
 
 UNIT_KEYS = (
     "frame_name",
@@ -28,11 +27,22 @@ UNIT_KEYS = (
     "condition",
     "values",
     "frame_element_grammatical_relations",
+    "elements",
     "examples",
 )
+#: The attribute of a relation that each key of an element gives.
+_ATTRIBUTES = {
+    "relation": "relations",
+    "argument": "argument",
+    "words": "words",
+    "semantic_type": "semantic_types",
+    "required": "is_required",
+    "after_place": "after_place",
+}
+#: Says that a unit does not fill an element.
+_NOTHING = "none"
 #: What may stand in the place of verbs.
 PATTERN_KEYS = ("question", "remark", "condition")
-RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -62,6 +72,17 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     has_patterns = any(pattern in _keys(node) for pattern in PATTERN_KEYS)
     entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if has_patterns else ("frame_name", "verb"))
     verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
+    listed, changed = entries.get("frame_element_grammatical_relations"), entries.get("elements")
+    if changed is not None and (listed is not None or has_patterns):
+        beside = "frame_element_grammatical_relations" if listed is not None else "patterns of words"
+        reader.report(
+            "INHERITS_NOTHING",
+            changed,
+            f"{prefix}elements",
+            f"'elements' beside {beside}",
+            "only one of them: 'elements' says what is special about a verb that inherits the usual relations",
+        )
+    inherits = bool(verbs) and listed is None and not has_patterns
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
     return LexicalUnit(
@@ -69,14 +90,10 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         verbs=verbs,
         relations=tuple(
             _relation(reader, item, item_key)
-            for item_key, item in reader.sequence(
-                entries.get("frame_element_grammatical_relations"), f"{prefix}frame_element_grammatical_relations"
-            )
+            for item_key, item in reader.sequence(listed, f"{prefix}frame_element_grammatical_relations")
         ),
-        examples=tuple(
-            _example(reader, item, item_key)
-            for item_key, item in reader.sequence(entries.get("examples"), f"{prefix}examples")
-        ),
+        changes=_changes(reader, changed, f"{prefix}elements") if inherits else None,
+        examples=_examples(reader, entries.get("examples"), f"{prefix}examples"),
         questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
         remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
         conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
@@ -112,48 +129,47 @@ def _patterns(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[Word
 
 def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
     entries = reader.mapping(node, key, RELATION_KEYS, required=("name", "relation"))
-    relation = entries.get("relation")
-    if isinstance(relation, yaml.SequenceNode):
-        alternatives = reader.sequence(relation, f"{key}.relation")
-    else:
-        alternatives = [(f"{key}.relation", relation)] if relation is not None and not is_empty(relation) else []
-    paths = [_path(reader, item, item_key) for item_key, item in alternatives]
-    if relation is not None and not paths:
-        reader.report("EMPTY", relation, f"{key}.relation", "no relation", "a relation such as dobj or prep_to")
-    return ElementRelation(
-        name=reader.graph_name(entries.get("name"), f"{key}.name"),
-        relations=tuple(paths),
-        argument=ArgumentForm(
-            reader.choice(
-                entries.get("argument"),
-                f"{key}.argument",
-                [form.value for form in ArgumentForm],
-                ArgumentForm.HEAD.value,
-            )
-        ),
-        words=tuple(word.lower() for word in reader.texts(entries.get("words"), f"{key}.words")),
-        is_required=reader.boolean(entries.get("required"), f"{key}.required"),
-        after_place=tuple(word.lower() for word in reader.texts(entries.get("after_place"), f"{key}.after_place")),
-        line=line_of(node),
-        semantic_types=read_semantic_types(reader, entries.get("semantic_type"), f"{key}.semantic_type"),
-    )
+    name = reader.graph_name(entries.get("name"), f"{key}.name")
+    return read_relation(reader, node, entries, key, name, is_of_2012=True)
 
 
-def _path(reader: Reader, node: yaml.Node, key: str) -> RelationPath:
-    steps = tuple(step.strip() for step in reader.text(node, key).split("/"))
-    for step in steps:
-        if not is_relation_name(step) and isinstance(node, yaml.ScalarNode):
-            known = sorted(UNIVERSAL | STANFORD | {MEASURE})
+def _changes(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[ElementChange, ...]:
+    """Read what a unit says of elements that it otherwise inherits."""
+    changes: List[ElementChange] = []
+    for name_node, value in reader.free_mapping(node, key):
+        name = reader.graph_name(name_node, key)
+        if any(change.relation.name == name for change in changes):
             reader.report(
-                "UNKNOWN_RELATION",
-                node,
-                key,
-                f"'{step}'",
-                "a relation of Universal or Stanford Dependencies (dobj, iobj, prep_to, obl:to, ...), steps of a chain "
-                "divided by '/'",
-                did_you_mean(step, known),
+                "DUPLICATE_KEY", name_node, f"{key}.{name}", f"a second '{name}'", "one, with a list of entries"
             )
-    return RelationPath(steps=steps)
+        is_list = isinstance(value, yaml.SequenceNode) and all(isinstance(one, yaml.MappingNode) for one in value.value)
+        items = reader.sequence(value, f"{key}.{name}") if is_list else [(f"{key}.{name}", value)]
+        changes += [_change(reader, item, item_key, name) for item_key, item in items]
+    return tuple(changes)
+
+
+def _change(reader: Reader, node: yaml.Node, key: str, name: str) -> ElementChange:
+    if isinstance(node, yaml.ScalarNode) and node.value == _NOTHING:
+        return ElementChange(ElementRelation(name, (), line=line_of(node)))
+    if isinstance(node, yaml.MappingNode):
+        entries = reader.mapping(node, key, [known for known in RELATION_KEYS if known != "name"])
+    else:
+        entries = {"relation": node}
+    keys = frozenset(_ATTRIBUTES[key] for key in entries)
+    return ElementChange(read_relation(reader, node, entries, key, name), keys)
+
+
+def _examples(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[Example, ...]:
+    """Read examples: a list, or a mapping of texts to the arguments of their elements."""
+    if not isinstance(node, yaml.MappingNode):
+        return tuple(_example(reader, item, item_key) for item_key, item in reader.sequence(node, key))
+    found: Dict[str, Example] = {}
+    for text_node, value in node.value:
+        text = reader.name(text_node, key)
+        if text in found:
+            reader.report("DUPLICATE_KEY", text_node, key, f"a second '{text}'", "one")
+        found[text] = Example(text, _arguments(reader, value, f"{key}.{text}"), line_of(text_node))
+    return tuple(found.values())
 
 
 def _example(reader: Reader, node: yaml.Node, key: str) -> Example:
@@ -203,6 +219,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         ]
     names = [element.name for element in frame.frame_elements]
     named = [(relation.line, "frame_element_grammatical_relations", relation.name) for relation in unit.relations]
+    named += [(change.relation.line, "elements", change.relation.name) for change in unit.changes or ()]
     named += [(pattern.line, "question", name) for pattern in unit.questions for name in pattern.elements]
     named += [(pattern.line, "remark", name) for pattern in unit.remarks for name in pattern.elements]
     named += [(pattern.line, "condition", name) for pattern in unit.conditions for name in pattern.elements]
@@ -221,7 +238,23 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         for line, key, name in named
         if name not in names
     ]
-    filled = {relation.name for relation in unit.relations} | set(unit.values)
+    problems += [
+        Problem(
+            "NO_USUAL_RELATION",
+            unit.path,
+            change.relation.line,
+            f"elements.{element.name}",
+            "no relation",
+            f"the key 'relation': the role {element.framenet or 'of the element'} has no usual relations",
+        )
+        for change in unit.changes or ()
+        for element in frame.frame_elements
+        if element.name == change.relation.name
+        and change.keys
+        and not change.relation.relations
+        and not inherited(frame, element)
+    ]
+    filled = {relation.name for relation in with_inherited(unit, frame).relations} | set(unit.values)
     patterns = unit.questions + unit.remarks + unit.conditions
     if patterns:
         filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))

@@ -5,7 +5,7 @@ Manning, 2008, revised 2013), basic and collapsed.
 """
 
 import re
-from typing import FrozenSet
+from typing import FrozenSet, Tuple
 
 UNIVERSAL: FrozenSet[str] = frozenset(
     "nsubj obj iobj csubj ccomp xcomp obl vocative expl dislocated advcl advmod discourse aux cop mark nmod appos "
@@ -20,12 +20,18 @@ STANFORD: FrozenSet[str] = frozenset(
 )
 #: Measures relate to the verb in several ways ("3 feet" as obl:unmarked, dobj, tmod): this name stands for all of them.
 MEASURE = "measure"
+#: Where something is may be said with any preposition of place: this name stands for all of their relations.
+PLACE = "place"
+PREPOSITIONS_OF_PLACE: Tuple[str, ...] = tuple(
+    "in on at near next_to close_to beside by in_front_of behind inside under underneath below beneath over above "
+    "between against on_top_of".split()
+)
 #: Relations whose name continues with a word of the sentence or with a subtype.
 _OPEN = re.compile(r"^(prep|prepc|conj)_[a-z_]+$|^[a-z]+:[a-z_]+$")
 
 
 def is_relation_name(name: str) -> bool:
     """Whether a lexical unit may use the name; any word may follow the first part of "obl:to" and "prep_to"."""
-    if name in UNIVERSAL or name in STANFORD or name == MEASURE:
+    if name in UNIVERSAL or name in STANFORD or name in (MEASURE, PLACE):
         return True
     return bool(_OPEN.match(name)) and re.split("[:_]", name)[0] in UNIVERSAL | STANFORD

@@ -7,10 +7,10 @@ import threading
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Union
+from typing import Dict, List, Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandParse, KnownNames, Lexicon, Reply
+from roboframenet_msgs.msg import Command, CommandParse, FrameCatalogue, KnownNames, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
@@ -18,12 +18,15 @@ from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
-from semantic_frames import load_lexical_units
+from semantic_frames import load_frame, load_lexical_units
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.read_once import ReadOnce
+from semantic_frames.roles import with_inherited
 from stanford_parser_ros.early_inference import load_onnx, load_stanza
 from stanford_parser_ros.inference import Inference, ModelError, shipped_model_dir
 from stanford_parser_ros.joint.lexicon_hints import hints_of
-from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
+from stanford_parser_ros.model import NO_WORDS, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
@@ -72,7 +75,8 @@ class ParserNode:
     """Parses one command after the other, in its own thread.
 
     Subscribes:
-        command_text (Command), lexicon (Lexicon, latched), known_names (KnownNames, latched)
+        command_text (Command), lexicon (Lexicon, latched), frame_catalogue (FrameCatalogue, latched),
+        known_names (KnownNames, latched)
     Publishes:
         command_parse (CommandParse), parse (stanford_parser_msgs/Parse), stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -90,8 +94,13 @@ class ParserNode:
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._known = NO_WORDS
-        self._words_of_files: ReadOnce[KnownWords] = ReadOnce(_words_of)
+        self._lock = threading.Lock()
+        self._units: List[LexicalUnit] = []
+        self._frames: Dict[str, SemanticFrame] = {}
+        self._unit_files: ReadOnce[Tuple[LexicalUnit, ...]] = ReadOnce(load_lexical_units)
+        self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
+        self._catalogue = rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1)
         self._names = rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1)
         self._trouble = ""
         begin_s = time.monotonic()
@@ -148,19 +157,39 @@ class ParserNode:
         )
 
     def _on_lexicon(self, message: Lexicon) -> None:
-        found, refused = self._words_of_files.contents((file.path, file.text) for file in message.files)
+        found, refused = self._unit_files.contents((file.path, file.text) for file in message.files)
         for reason in refused:
             rospy.logwarn("the lexicon holds a file that cannot be read: %s", reason)
+        with self._lock:
+            self._units = [unit for units in found for unit in units]
+            self._learn_words()
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        found, refused = self._frame_files.contents((file.path, file.text) for file in message.files)
+        for reason in refused:
+            rospy.logwarn("the frame catalogue holds a file that cannot be read: %s", reason)
+        with self._lock:
+            self._frames = {frame.name: frame for frame in found}
+            self._learn_words()
+
+    def _learn_words(self) -> None:
+        """Learn the words of the units, with those that they inherit from the roles of their frames."""
+        units = [
+            with_inherited(unit, self._frames[unit.frame_name]) if unit.frame_name in self._frames else unit
+            for unit in self._units
+        ]
         self._known = replace(
             self._known,
-            verbs=frozenset().union(*(words.verbs for words in found)),
-            spellings=frozenset().union(*(words.spellings for words in found)),
-            hints=frozenset().union(*(words.hints for words in found)),
+            # The base form precedes the particle: "pick" of "pick up".
+            verbs=frozenset(verb.split()[0] for unit in units for verb in unit.verbs),
+            spellings=spellings_of(units),
+            hints=hints_of(units),
         )
 
     def _on_names(self, message: KnownNames) -> None:
         words = frozenset(word for known in message.names for word in known.name.lower().split())
-        self._known = replace(self._known, names=words)
+        with self._lock:
+            self._known = replace(self._known, names=words)
 
     def _on_command(self, command: Command) -> None:
         try:
@@ -209,18 +238,6 @@ class ParserNode:
         trace = "\n".join(map(str, parse.trace)) if self._settings.trace else ""
         self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
-
-
-def _words_of(text: str, path: str) -> KnownWords:
-    """Return the words of a file of lexical units.
-
-    Raises:
-        FileRefused: it cannot be read
-    """
-    units = load_lexical_units(text, path)
-    # The base form precedes the particle: "pick" of "pick up".
-    verbs = frozenset(verb.split()[0] for unit in units for verb in unit.verbs)
-    return KnownWords(verbs, spellings_of(units), hints=hints_of(units))
 
 
 def describe(tree: DependencyTree) -> str:
