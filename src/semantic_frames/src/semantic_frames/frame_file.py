@@ -1,6 +1,7 @@
 """Frame files: one semantic frame each, as in 2012, with additions."""
 
 import math
+from dataclasses import replace
 from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 
 import yaml
@@ -18,6 +19,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
+from semantic_frames.roles import filler_of
 from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
@@ -71,10 +73,11 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     root = reader.compose(text, "a mapping with name")
     entries = reader.mapping(root, "", FRAME_KEYS, required=("name",))
     elements = _elements(reader, entries.get("frame_elements"), has_framenet="framenet" in entries)
+    acts = not {"is_question", "is_condition"} & set(entries)
     frame = SemanticFrame(
         name=reader.graph_name(entries.get("name"), "name"),
         description=reader.text(entries.get("description"), "description"),
-        frame_elements=elements,
+        frame_elements=tuple(map(_with_filler, elements)) if acts and "framenet" in entries else elements,
         children=_children(reader, entries.get("children"), elements),
         framenet=reader.text(entries.get("framenet"), "framenet"),
         on_list=ListPolicy(
@@ -173,6 +176,13 @@ def _elements(reader: Reader, node: Optional[yaml.Node], *, has_framenet: bool) 
                 did_you_mean(element.unit_element, names),
             )
     return tuple(elements)
+
+
+def _with_filler(element: FrameElement) -> FrameElement:
+    """Return an element with the types of its role, if the frame says nothing of what may fill it."""
+    if element.semantic_types or element.values or element.quantity is not None:
+        return element
+    return replace(element, semantic_types=filler_of(element.framenet))
 
 
 def _names(reader: Reader, node: Optional[yaml.Node], key: str, known: FrozenSet[str]) -> Tuple[str, ...]:

@@ -10,12 +10,13 @@ from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalU
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.relation_names import MEASURE
 from semantic_frames.relation_reader import RELATION_KEYS, read_relation
+from semantic_frames.semantic_type import read_semantic_types
 from semantic_frames.source_files import read_text
 
 ROLES_FILE = Path(__file__).parent / "roles.yaml"
 #: Stands for the values that the frame allows for an element.
 _VALUES = ("values",)
-_KEYS = ("role", "is_core", *(key for key in RELATION_KEYS if key not in ("name", "required", "after_place")))
+_KEYS = ("role", "is_core", "filler", *(key for key in RELATION_KEYS if key not in ("name", "required", "after_place")))
 _MEASURE = ElementRelation("", (RelationPath((MEASURE,)),))
 _OBJECT = ElementRelation("", (RelationPath(("dobj",)),), ArgumentForm.PHRASE)
 
@@ -27,12 +28,14 @@ class Role:
     Attributes:
         names: FrameNet's names
         is_core: whether it counts only for core elements, or only for others; None for both
-        relation: how an element is filled; it has no name
+        relation: how an element is filled; it has no name, and without relations it says nothing of that
+        filler: semantic types of what fills an element whose frame names none
     """
 
     names: Tuple[str, ...]
     is_core: Optional[bool]
     relation: ElementRelation
+    filler: Tuple[str, ...] = ()
 
     def is_of(self, element: FrameElement) -> bool:
         """Whether an element has the role."""
@@ -51,10 +54,11 @@ def load_roles(text: str, path: str) -> Tuple[Role, ...]:
     reader = Reader(path)
     found: List[Role] = []
     for key, node in reader.sequence(reader.compose(text, "a list of roles"), ""):
-        entries = reader.mapping(node, key, _KEYS, required=("role", "relation"))
+        entries = reader.mapping(node, key, _KEYS, required=("role",))
         is_core = reader.boolean(entries.get("is_core"), f"{key}.is_core") if "is_core" in entries else None
         names = reader.texts(entries.get("role"), f"{key}.role")
-        found.append(Role(names, is_core, read_relation(reader, node, entries, key, "")))
+        filler = read_semantic_types(reader, entries.get("filler"), f"{key}.filler")
+        found.append(Role(names, is_core, read_relation(reader, node, entries, key, ""), filler))
     reader.refuse_if_wrong()
     return tuple(found)
 
@@ -69,6 +73,16 @@ def roles() -> Tuple[Role, ...]:
     return load_roles(read_text(str(ROLES_FILE)), str(ROLES_FILE))
 
 
+@lru_cache(maxsize=None)
+def filler_of(framenet: str) -> Tuple[str, ...]:
+    """Return the semantic types of what fills an element of a role; none for anything.
+
+    Args:
+        framenet: FrameNet's name of the element
+    """
+    return next((role.filler for role in roles() if framenet in role.names and role.filler), ())
+
+
 def inherited(frame: SemanticFrame, element: FrameElement) -> Tuple[ElementRelation, ...]:
     """Return how an element is filled if a lexical unit says nothing of it.
 
@@ -80,7 +94,7 @@ def inherited(frame: SemanticFrame, element: FrameElement) -> Tuple[ElementRelat
     """
     if element.quantity is not None or any(other.unit_element == element.name for other in frame.frame_elements):
         return (replace(_MEASURE, name=element.name),)
-    found = [role.relation for role in roles() if role.is_of(element)]
+    found = [role.relation for role in roles() if role.is_of(element) and role.relation.relations]
     if not found and element.is_core:
         found = [_OBJECT]
     return tuple(

@@ -143,10 +143,21 @@ def test_an_element_of_a_frame_of_framenet_has_the_role_of_its_name() -> None:
     assert old.roles == {""}
 
 
+def test_an_element_takes_what_its_role_takes_if_its_frame_says_nothing() -> None:
+    frame = load_frame(
+        "name: a\nframenet: Giving\nframe_elements:\n  - name: recipient\n  - {name: goal, semantic_type: Room}\n"
+        "  - {name: path, values: [left, right]}\n",
+        "a.yaml",
+    )
+    assert [element.semantic_types for element in frame.frame_elements] == [("Sentient", "Organization"), ("Room",), ()]
+    question = load_frame("name: a\nframenet: A\nis_question: True\nframe_elements:\n  - name: goal\n", "a.yaml")
+    assert question.frame_elements[0].semantic_types == ()
+
+
 def test_a_wrong_file_of_roles_is_refused() -> None:
     with pytest.raises(FileRefused) as refused:
-        load_roles("- role: Goal\n- {role: Theme, relation: objekt}", "roles.yaml")
-    assert [problem.code for problem in refused.value.problems] == ["MISSING_KEY", "UNKNOWN_RELATION"]
+        load_roles("- {role: Goal}\n- {role: Theme, relation: objekt}", "roles.yaml")
+    assert [problem.code for problem in refused.value.problems] == ["UNKNOWN_RELATION"]
 
 
 def test_roles_are_names_of_framenet() -> None:
