@@ -28,6 +28,7 @@ from semantic_framer.slight_amounts import slight_amount, stated
 from semantic_framer.type_fits import with_types
 from semantic_framer.unheeded import without_unheeded
 from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.roles import filler_of
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit
 from spoken_quantities.numbers import find_whole_number
@@ -382,7 +383,8 @@ class _Amending:
             return 3
         if any(types.fit(head, kinds) is Fit.LIKELY for kinds in _ALIKE if before & frozenset(kinds)):
             return 2
-        return 1 if fit is Fit.LIKELY else 0
+        # Nearly everything fits what the role of an element takes.
+        return 1 if fit is Fit.LIKELY and element.semantic_types != filler_of(element.framenet) else 0
 
     # --- other phrases
 
