@@ -2,7 +2,7 @@
 
 import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Dict, FrozenSet, Optional, Set, Tuple, Union
 
 import actionlib
@@ -19,9 +19,10 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_robots import is_robot_name
+from roboframenet_ros.ros_taken_texts import TakenOut
 from robot_fleet.addressing import Company, Robot
 from robot_fleet.places import Place, place_in
-from robot_fleet.ros_out import RepliesOut, TakenOut
+from robot_fleet.ros_out import RepliesOut
 from robot_fleet.ros_robots import RobotLinks, ServiceWatch
 from robot_fleet.ros_utterances import Utterances
 from robot_fleet.roster import Roster
@@ -42,6 +43,7 @@ class _Said:
     command_id: str
     handle: "actionlib.ServerGoalHandle" = None
     is_played: bool = False
+    heard_s: float = field(default_factory=time.monotonic)
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class FleetNode:
 
     Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
     ``<robot>/command/result``, ``<robot>/command/feedback``, ``<robot>/status``. Publishes: ``reply``, ``text_taken``,
-    ``fleet`` and ``fleet_started`` (latched), ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``.
+    ``fleet`` (latched), ``fleet_started``, ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``.
     Actions: ``command``.
     """
 
@@ -97,7 +99,7 @@ class FleetNode:
         self._listed: Optional[_List] = None
         self._text_ids = TextIds(TextSource.TEXT)
         self._replies = RepliesOut()
-        self._taken = TakenOut()
+        self._taken = TakenOut("fleet_started")
         self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
         self._life = rospy.Publisher("fleet_service", FleetService, queue_size=5)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
@@ -114,7 +116,8 @@ class FleetNode:
         rospy.on_shutdown(self._shutdown)
         for command in self._utterances.take_over():
             rospy.loginfo("cmd=%s was open when this node ended", command.id)
-            self._taken.tell(command.id, command.text)
+            age_s = (rospy.Time.now() - command.stamp).to_sec()
+            self._taken.tell(command.id, command.text, heard_s=time.monotonic() - age_s)
         self._worker.start()
         self._subscribers = [
             rospy.Subscriber("fleet_member", FleetMember, self._events.put, queue_size=1000),
@@ -182,7 +185,7 @@ class FleetNode:
                 self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
             # Whatever ends this node from now on, it is answered.
             self._utterances.save()
-            self._taken.tell(event.command_id, event.text)
+            self._taken.tell(event.command_id, event.text, heard_s=event.heard_s)
         elif isinstance(event, _Cancelled):
             self._utterances.cancel(event.command_id)
         elif isinstance(event, _Begun):
