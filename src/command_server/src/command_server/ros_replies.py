@@ -15,6 +15,8 @@ from roboframenet_ros.ros_taken_texts import TakenOut
 _NOTE_DELAY_S = 0.05
 # Nor does whoever reads the status take the processor from the stages while they pass a new command on.
 _OPEN_DELAY_S = 0.01
+# A stage that is started anew hears the last status: while a command is open, that is no older.
+_REPEAT_S = 1.0
 
 
 class Replies:
@@ -105,7 +107,8 @@ class Replies:
         untold, self._untold = self._untold, []
         for command_id, text, heard_s in untold:
             self._taken.tell(command_id, text, heard_s=heard_s)
-        self._told_ids, self._status_due_s = open_ids, None
+        self._told_ids = open_ids
+        self._status_due_s = time.monotonic() + _REPEAT_S if open_ids else None
         self._status.publish(
             CommandStatus(
                 stamp=rospy.Time.now(),

@@ -82,6 +82,8 @@ class UntakenTexts:
     def hear(self, text: str, command_id: str = "") -> None:
         """A text was said, or a goal with an id."""
         self._forget()
+        if command_id and command_id in self._taken:
+            return  # a recording repeats it
         said = Said(text, command_id, self._now())
         for early in self._early:
             if _is_same(said, early):

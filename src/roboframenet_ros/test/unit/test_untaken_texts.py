@@ -113,6 +113,7 @@ def test_goal_is_known_by_its_id(texts: UntakenTexts, clock: Clock) -> None:
     texts.hear("Turn left.", "/client-2")
     clock.now_s += 10.0
     texts.hear_taken(Taken("/client-1", 0.0, "Turn left."))
+    texts.hear("Turn left.", "/client-1")
     assert untaken(texts) == ["Turn left.", "/client-2"]
 
 
