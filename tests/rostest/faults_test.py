@@ -142,7 +142,7 @@ class FaultsTest(unittest.TestCase):
 
     def test_3_command_of_a_killed_stage_gets_one_reply(self) -> None:
         taken: List[str] = []
-        subscriber = rospy.Subscriber("text_taken", String, lambda message: taken.append(message.data))
+        subscriber = rospy.Subscriber("text_taken", String, lambda message: taken.append(message.data.split(" ", 2)[2]))
 
         def is_greeting_taken_and_done() -> bool:
             del taken[:]

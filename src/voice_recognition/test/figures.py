@@ -121,7 +121,7 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
     pauses = [(now_s, one) for now_s, one in pauses if one.begin_s == whole.begin_s]
     with ThreadPoolExecutor(1) as beside:
         is_short = whole.end_s - whole.begin_s <= LONGEST_S
-        stop = beside.submit(_search_in_time, spotter.is_stop, pauses, (end_s, whole)) if is_short else None
+        stop = beside.submit(_search_in_time, spotter.stop_in, pauses, (end_s, whole)) if is_short else None
         heard, at_s = _search_in_time(ears.hear, pauses, (end_s, whole))
         if stop is not None:
             stop.result()
@@ -232,7 +232,7 @@ def stops_heard(spotter: StopSpotter, count: int, snr_db: float) -> Tuple[int, i
         text = STOPS[number // len(voices()) % len(STOPS)]
         pcm = with_noise(with_silence(speech(text, voice), before_s=0.8, after_s=2.0), snr_db, seed=number)
         found = Endpointer().feed(pcm)
-        heard += any(spotter.is_stop(one.pcm) for one in found if one.end_s - one.begin_s <= LONGEST_S)
+        heard += any(spotter.stop_in(one.pcm) for one in found if one.end_s - one.begin_s <= LONGEST_S)
     return heard, count
 
 
@@ -284,7 +284,7 @@ def _add_alarms(ears: Ears, spotter: StopSpotter, found: Iterable[Utterance], co
         counts["utterances"] += 1
         if one.end_s - one.begin_s <= LONGEST_S:
             counts["short ones"] += 1
-            counts["false stops"] += spotter.is_stop(one.pcm)
+            counts["false stops"] += bool(spotter.stop_in(one.pcm))
         state, _ = step(begin(settings), SpeechEnded(), 0.0, settings)
         state, actions = step(state, Understood(ears.hear(one.pcm)), 0.0, settings)
         counts["questions"] += isinstance(state, Confirming)

@@ -79,7 +79,7 @@ class CommandServerNode:
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``, ``fleet_service``.
     Publishes: ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``text_taken``,
-    ``command_server_started`` (latched), and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
+    ``command_server_started``, and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -234,7 +234,7 @@ class CommandServerNode:
             self._action.accept(said.handle)
         else:
             command_id = self._text_ids.next_id()
-            self._replies.note_taken(said.text)
+            self._replies.note_taken(command_id, said.text, heard_s=said.arrival_s)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
             said.delay_s, longest_s=self._replayed.longest_delay_s
         )

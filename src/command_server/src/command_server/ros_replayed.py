@@ -9,8 +9,8 @@ from command_server.ros_messages import ending_of_event
 from command_server.ros_replies import Replies
 from command_server.settings import Settings
 from roboframenet_ros.command_ids import TextIds, TextSource
-from roboframenet_ros.replays import AGAIN, OLDEST_NS, Replays, Taken
-from roboframenet_ros.ros_replays import REPLAYED
+from roboframenet_ros.replays import AGAIN, OLDEST_NS, Replays
+from roboframenet_ros.ros_replays import REPLAYED, GoalsOnce
 from roboframenet_ros.ros_robots import own_robot
 
 
@@ -26,7 +26,7 @@ class Replayed:
         #: A goal that took longer comes late, seconds.
         self.longest_delay_s = settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
         self._replies = replies
-        self._goals, self._orders = Taken(), Replays()
+        self._goals, self._orders = GoalsOnce(), Replays()
         self._ids = TextIds(TextSource.REPLAYED)
 
     def tells(self, event: StageEvent) -> bool:
@@ -38,13 +38,10 @@ class Replayed:
 
     def refuses_goal(self, handle: actionlib.ServerGoalHandle) -> bool:
         """Take a goal, or refuse one that was taken; one that is only old is answered as any other that comes late."""
-        goal_id = handle.get_goal_id()
-        if goal_id.id not in self._goals:
-            self._goals.add(goal_id.id)
-            return False
-        handle.set_rejected(None, AGAIN)
-        self._tell(handle.get_goal().text, goal_id.stamp, AGAIN)
-        return True
+        is_refused = self._goals.refuses(handle)
+        if is_refused:
+            self._tell(handle.get_goal().text, handle.get_goal_id().stamp, AGAIN)
+        return is_refused
 
     def refuses_order(self, due: OrderDue) -> bool:
         """Take an order that is due, or refuse it."""

@@ -5,20 +5,22 @@ from typing import List, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply
-from std_msgs.msg import Empty, String
 
 from command_server.open_commands import CommandText, Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
 from roboframenet_ros.bounded_text import one_line
+from roboframenet_ros.ros_taken_texts import TakenOut
 
 # Stages pass a command on within milliseconds, and many nodes read the status: not each of them is told to all.
 _NOTE_DELAY_S = 0.05
 # Nor does whoever reads the status take the processor from the stages while they pass a new command on.
 _OPEN_DELAY_S = 0.01
+# A stage that is started anew hears the last status: while a command is open, that is no older.
+_REPEAT_S = 1.0
 
 
 class Replies:
-    """Publishes ``reply``, ``text_taken``, ``cry_heard``, ``status`` and ``command_server_started`` (both latched).
+    """Publishes ``reply``, ``text_taken``, ``cry_heard``, ``command_server_started`` and ``status`` (latched).
 
     Attributes:
         publisher: of ``reply``
@@ -29,26 +31,25 @@ class Replies:
         self.publisher = rospy.Publisher("reply", Reply, queue_size=1000)
         self.last_reply = Reply()
         self._status = rospy.Publisher("status", CommandStatus, queue_size=100, latch=True)
-        self._taken = rospy.Publisher("text_taken", String, queue_size=1000)
+        self._taken = TakenOut("command_server_started")
         self._cries = rospy.Publisher("cry_heard", Command, queue_size=100, tcp_nodelay=True)
-        self._untold: List[str] = []
+        self._untold: List[Tuple[str, str, float]] = []
         self._unlogged: List[CommandText] = []
-        self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
         self._sentence = "Ready."
         self._told_ids: Optional[Tuple[str, ...]] = None
         self._status_due_s: Optional[float] = None
 
     def tell_start(self) -> None:
         """Tell that texts are heard from now on: the stop server replies to those that were said before."""
-        self._started.publish(Empty())
+        self._taken.tell_start()
 
     def tell_cry(self, command: CommandText) -> None:
         """Tell the stop server of a cry at once: a client that has just started may not be connected to it yet."""
         self._cries.publish(command_to_message(command))
 
-    def note_taken(self, text: str) -> None:
+    def note_taken(self, command_id: str, text: str, *, heard_s: float) -> None:
         """A text was heard; this is told with the next status, when its command is saved and will be answered."""
-        self._untold.append(text)
+        self._untold.append((command_id, text, heard_s))
         self._tell_within(_OPEN_DELAY_S)
 
     def note_heard(self, command: CommandText) -> None:
@@ -96,6 +97,7 @@ class Replies:
         Args:
             open_commands: oldest first
         """
+        self._taken.turn()
         open_ids = tuple(entry.command.command_id for entry in open_commands)
         if open_ids != self._told_ids:
             self._tell_within(_OPEN_DELAY_S)
@@ -103,9 +105,10 @@ class Replies:
             return
         self._log_heard()
         untold, self._untold = self._untold, []
-        for text in untold:
-            self._taken.publish(String(data=text))
-        self._told_ids, self._status_due_s = open_ids, None
+        for command_id, text, heard_s in untold:
+            self._taken.tell(command_id, text, heard_s=heard_s)
+        self._told_ids = open_ids
+        self._status_due_s = time.monotonic() + _REPEAT_S if open_ids else None
         self._status.publish(
             CommandStatus(
                 stamp=rospy.Time.now(),

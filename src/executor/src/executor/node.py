@@ -11,7 +11,7 @@ from typing import Dict, FrozenSet, List, Optional, Set, Tuple, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport, TriedFrame
-from std_msgs.msg import Empty
+from std_msgs.msg import Duration
 
 import smach
 from arbitrator.node_runs import PREEMPTED
@@ -129,7 +129,7 @@ class ExecutorNode:
         self._worker = threading.Thread(target=self._work, name="executor_worker")
         self._commander = CommanderWatch()
         # Of all that the command server publishes, this tells the least; nobody else publishes it.
-        self._sign_of_commander = rospy.Subscriber("command_server_started", Empty, lambda _: None)
+        self._sign_of_commander = rospy.Subscriber("command_server_started", Duration, lambda _: None)
 
     def start(self) -> None:
         """Start to take commands."""

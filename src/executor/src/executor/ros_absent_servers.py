@@ -10,6 +10,8 @@ from roboframenet_ros.ros_master import NO_ANSWER, MasterError, TimedMaster, is_
 
 #: How long the master, or a node, may take to answer, seconds.
 _ANSWER_S = 0.5
+#: A server that was killed may be back within so long, seconds.
+_STARTING_S = 5.0
 #: Nodes are asked for so long, seconds; of the others nothing is known.
 _LOOK_S = 1.0
 
@@ -20,9 +22,12 @@ class AbsentServers:
     The master knows nobody who publishes the status of a server that does not run, or a node whose process has ended.
     """
 
-    def __init__(self) -> None:
-        """Start with none."""
-        self._absences = Absences()
+    def __init__(self, absences: Optional[Absences] = None) -> None:
+        """
+        Args:
+            absences: where they are noted; none if left out
+        """
+        self._absences = absences or Absences()
         self._living: FrozenSet[str] = frozenset()
 
     def hear_living(self, servers: FrozenSet[str]) -> None:
@@ -41,6 +46,10 @@ class AbsentServers:
     def is_missing(self, server: str) -> bool:
         """Whether a server was found missing the last time; nobody is asked."""
         return self._absences.is_missing(server)
+
+    def is_given_up(self, server: str) -> bool:
+        """Whether a server has been missing for so long that its connection is of no use; nobody is asked."""
+        return self.is_missing(server) and not self._absences.left_s(server, _STARTING_S)
 
     def look(self, servers: AbstractSet[str]) -> FrozenSet[str]:
         """Return those of some servers that are missing. It takes a second at most, and only where somebody hangs."""

@@ -84,13 +84,17 @@ class ActionClients:
         return used
 
     def release(self, server: str) -> None:
-        """A goal does not use the connection to a server any more; that to one that is missing is closed."""
+        """A goal does not use the connection to a server any more; that to one that is given up is closed.
+
+        Where each command takes the place of the one before, a connection that is made anew with each of them is never
+        complete, and a server that starts just then is refused what it asks for.
+        """
         with self._lock:
             self._users[server] -= 1
             if self._users[server] <= 0:
                 del self._users[server]
             dropped = self._take_unused()
-            if server not in self._users and server in self._connections and self.absent.is_missing(server):
+            if server not in self._users and server in self._connections and self.absent.is_given_up(server):
                 dropped.append(self._connections.pop(server))
         self._close_later(dropped)
 

@@ -9,7 +9,10 @@ import pytest
 pytest.importorskip("actionlib")
 
 from executor import ros_action_clients
+from executor.absences import Absences
+from executor.ros_absent_servers import AbsentServers
 from executor.ros_action_clients import ActionClients
+from roboframenet_testing import Clock
 
 
 class Connection:
@@ -71,6 +74,25 @@ def test_servers_that_are_gone_are_let_go_unless_a_goal_uses_them(make_clients: 
     clients.release("used")
     clients.hear_living(frozenset(("here",)))
     assert Connection.closed == ["gone", "used"]
+
+
+def test_connection_to_a_server_that_may_be_starting_is_kept_for_the_next_command(
+    make_clients: Callable[[int], ActionClients], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = Clock()
+    Connection.alive = {"killed": False}
+    clients = make_clients(9)
+    monkeypatch.setattr(clients, "absent", AbsentServers(Absences(now=clock)))
+    clients.absent.hear_vain("killed")
+    kept = clients.get("killed", timeout_s=60.0)
+    for _ in range(9):
+        clients.release("killed")
+        clock.now_s += 0.5
+        assert clients.get("killed", timeout_s=60.0) is kept
+    assert Connection.closed == []
+    clock.now_s += 0.5
+    clients.release("killed")
+    assert Connection.closed == ["killed"]
 
 
 def test_as_many_servers_that_live_are_connected_beforehand_as_are_kept(

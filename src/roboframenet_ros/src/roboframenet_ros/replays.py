@@ -6,20 +6,23 @@ from typing import FrozenSet, Iterable
 
 #: A stamp that is older is one of a recording, nanoseconds.
 OLDEST_NS = 10_000_000_000
+#: The same for a stage that is not told which commands are open: no stage has a command for so long.
+OLDEST_OF_ALL_NS = 60_000_000_000
 #: Why nothing is done.
 AGAIN = "I have taken that before. A recording repeats it, so I do nothing."
 #: How many are kept that were taken; the oldest is dropped first.
 _MOST_TAKEN = 1000
 
 
-def is_old(stamp_ns: int, now_ns: int) -> bool:
+def is_old(stamp_ns: int, now_ns: int, *, oldest_ns: int = OLDEST_NS) -> bool:
     """Whether a stamp is older than what is said now can have; one of zero says nothing.
 
     Args:
         stamp_ns: nanoseconds of ROS time
         now_ns: the same
+        oldest_ns: how old it can be, nanoseconds
     """
-    return 0 < stamp_ns < now_ns - OLDEST_NS
+    return 0 < stamp_ns < now_ns - oldest_ns
 
 
 class Taken:
@@ -47,8 +50,12 @@ class Replays:
     command server says so.
     """
 
-    def __init__(self) -> None:
-        """Start with no command."""
+    def __init__(self, *, oldest_ns: int = OLDEST_NS) -> None:
+        """
+        Args:
+            oldest_ns: what is older is one of a recording, nanoseconds, unless it is open
+        """
+        self._oldest_ns = oldest_ns
         self._lock = threading.Lock()
         self._taken = Taken()
         self._open: FrozenSet[str] = frozenset()
@@ -76,7 +83,7 @@ class Replays:
         with self._lock:
             if command_id in self._taken:
                 return AGAIN
-            if command_id not in self._open and is_old(stamp_ns, now_ns):
+            if command_id not in self._open and is_old(stamp_ns, now_ns, oldest_ns=self._oldest_ns):
                 age_s = (now_ns - stamp_ns) / 1e9
                 return f"That was said {age_s:.0f} s ago. A recording repeats it, so I do nothing."
             self._taken.add(command_id)

@@ -124,18 +124,6 @@ def listeners_of(uri: str, *, timeout_s: float) -> FrozenSet[Tuple[str, str]]:
     Raises:
         NO_ANSWER: it does not answer, or not as ROS demands
     """
-    return frozenset((str(link[4]), str(link[1])) for link in _links_of(uri, timeout_s) if link[2] == "o" and link[5])
-
-
-def publishers_heard_by(uri: str, *, timeout_s: float) -> FrozenSet[Tuple[str, str]]:
-    """Return whom a node hears, or is about to: names of topics, and XML-RPC addresses of the nodes that publish them.
-
-    See :func:`listeners_of`.
-    """
-    return frozenset((str(link[4]), str(link[1])) for link in _links_of(uri, timeout_s) if link[2] == "i")
-
-
-def _links_of(uri: str, timeout_s: float) -> Any:
-    """Return the links of a node, as ROS's slave API describes them under ``getBusInfo``."""
+    # ROS's slave API describes a link so.
     answer: Any = xmlrpc.client.ServerProxy(uri, transport=TimedTransport(timeout_s)).getBusInfo(rospy.get_name())
-    return answer[2]
+    return frozenset((str(link[4]), str(link[1])) for link in answer[2] if link[2] == "o" and link[5])

@@ -4,13 +4,19 @@ import threading
 import time
 import xmlrpc.client
 from collections import Counter
-from typing import FrozenSet, Tuple
+from typing import FrozenSet, Set, Tuple
 
 import rospy
-from rospy.impl.registration import Registration, RegistrationListener, get_registration_listeners
+from rospy.impl.registration import (
+    Registration,
+    RegistrationListener,
+    get_registration_listeners,
+    get_topic_manager,
+)
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, publishers_heard_by
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
 from roboframenet_ros.ros_publishing import is_shutting_down
+from roboframenet_ros.ros_server_links import is_agreed
 from roboframenet_ros.timed_transport import TimedTransport
 
 #: Time between two looks, seconds; who is not heard in both was missed.
@@ -36,7 +42,9 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
 
     The master answers a subscription with those who publish the topic, and tells of everybody who comes later. rospy
     keeps the list that it read last: where a publisher comes while the answer is on its way, the answer takes the place
-    of what the master told later, and the two are never connected. A stage waits for ever for what another one sends.
+    of what the master told later, and the two are never connected. And where a publisher refuses a connection, because
+    it ends and begins to publish just then, rospy does not try again, though it counts the connection for a second
+    more. A stage waits for ever for what another one sends.
     """
 
     def __init__(self) -> None:
@@ -74,15 +82,16 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
         """Return those whom this node should hear and does not."""
         name = rospy.get_name()
         state = self._master.system_state()
-        heard = publishers_heard_by(rospy.get_node_uri(), timeout_s=_ANSWER_TIMEOUT_S)
-        links_of = Counter(topic for topic, _ in heard)
-        return frozenset(
-            (topic, uri)
-            for topic, publishers in state.publishers.items()
-            if name in state.subscribers.get(topic, ()) and links_of[topic] < len(publishers)
-            for uri in map(self._master.uri_of, publishers)
-            if (topic, uri) not in heard and self._tries[topic, uri] < _MOST_TRIES
-        )
+        unheard: Set[Link] = set()
+        for topic, publishers in state.publishers.items():
+            if name not in state.subscribers.get(topic, ()):
+                continue
+            heard = _heard(topic)
+            for uri in heard:
+                self._tries.pop((topic, uri), None)
+            if len(heard) < len(publishers):
+                unheard |= {(topic, uri) for uri in map(self._master.uri_of, publishers) if uri not in heard}
+        return frozenset(link for link in unheard if self._tries[link] < _MOST_TRIES)
 
     def _connect(self, links: FrozenSet[Link]) -> None:
         """Tell rospy of publishers as the master does."""
@@ -92,3 +101,10 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
             uris = [uri for of_topic, uri in links if of_topic == topic]
             rospy.loginfo("ROS has missed that %s is published at %s", topic, ", ".join(uris))
             node.publisherUpdate(rospy.get_name(), topic, uris)
+
+
+def _heard(topic: str) -> FrozenSet[str]:
+    """Return the XML-RPC addresses of the nodes that this one hears on a topic."""
+    subscriber = get_topic_manager().get_subscriber_impl(topic)
+    links = [] if subscriber is None else list(subscriber.connections)
+    return frozenset(str(link.endpoint_id) for link in links if is_agreed(link))

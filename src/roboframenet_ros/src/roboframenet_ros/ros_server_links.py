@@ -2,7 +2,7 @@
 
 import threading
 import time
-from typing import Sequence, Tuple
+from typing import Any, Sequence, Tuple
 
 import rospy
 
@@ -13,6 +13,8 @@ _ANSWER_TIMEOUT_S = 1.0
 #: A node that does not say it is believed to be connected after this time, seconds.
 _LINK_TIMEOUT_S = 1.0
 _LINK_LOOK_S = 0.01
+#: What rospy calls a publisher that has not agreed yet.
+_UNNAMED = "unknown"
 
 
 class ServerLinks:
@@ -76,6 +78,17 @@ def newest_link(subscriber: rospy.Subscriber, node: str = "") -> Tuple[str, str]
         subscriber: of a topic
         node: name of the node, if it is known
     """
-    # rospy keeps a connection that broke, without a socket, and tries it again; the newest one counts.
-    links = [one for one in list(subscriber.impl.connections) if one.socket and node in ("", one.callerid_pub)]
+    # The newest one counts.
+    links = [one for one in list(subscriber.impl.connections) if is_agreed(one) and node in ("", one.callerid_pub)]
     return (str(links[-1].callerid_pub), str(links[-1].endpoint_id)) if links else ("", "")
+
+
+def is_agreed(link: Any) -> bool:
+    """Whether a publisher has agreed to a connection, and it did not break.
+
+    rospy keeps a connection that broke, without a socket, and one that was refused, without the name of the publisher.
+
+    Args:
+        link: of a subscriber
+    """
+    return bool(link.socket) and link.callerid_pub != _UNNAMED

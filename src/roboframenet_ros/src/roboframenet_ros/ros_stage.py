@@ -54,7 +54,9 @@ class Stage(rospy.SubscribeListener):
         with _PUBLISHING:
             self._publisher.publish(command.robot, event)
 
-    def ends(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
+    def ends(
+        self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "", is_kept: bool = True
+    ) -> None:
         """Report a command that ends in this stage.
 
         Args:
@@ -63,6 +65,7 @@ class Stage(rospy.SubscribeListener):
             code: stable name of the reason
             sentence: for the person
             trace: one line for each rule that did something
+            is_kept: whether a command server that is started anew gets it, which tells twice what nobody waits for
         """
         now = rospy.Time.now()
         sentence = one_line(sentence)
@@ -77,7 +80,8 @@ class Stage(rospy.SubscribeListener):
             trace=bounded(trace),
         )
         with _PUBLISHING:
-            self._final_events.add(event)
+            if is_kept:
+                self._final_events.add(event)
             self._publisher.publish(command.robot, event)
 
     def peer_subscribe(

@@ -3,19 +3,22 @@
 
 import enum
 import itertools
+import socket
 import subprocess
 import sys
 import threading
 import unittest
 from dataclasses import dataclass
-from typing import Any, List, Set, Tuple
+from typing import Any, Dict, List, Set, Tuple
 from unittest import mock
 
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
+from rospy.exceptions import TransportInitError
 from rospy.impl import registration
+from rospy.impl.tcpros_base import TCPROSTransport
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
@@ -196,6 +199,27 @@ class NodeTest(unittest.TestCase):
         with mock.patch.object(registration, "xmlrpcapi", lambda uri: LateMaster(real(uri))):
             subscriber = rospy.Subscriber("missed", String, lambda message: heard.append(message.data))
         wait_until(lambda: heard == ["here"])
+        subscriber.unregister()
+        publisher.unregister()
+
+    def test_subscriber_is_connected_to_a_publisher_that_refused_it_once(self) -> None:
+        publisher = rospy.Publisher("refusing", String, queue_size=1, latch=True)
+        publisher.publish(String("here"))
+        connect_missed_publishers()
+        heard: List[str] = []
+        real, refused = TCPROSTransport._validate_header, []
+
+        def refuse_once(transport: Any, header: Dict[str, str]) -> None:
+            if header.get("topic") == publisher.resolved_name and not refused:
+                refused.append(transport)
+                transport.socket.shutdown(socket.SHUT_RDWR)
+                raise TransportInitError("remote error reported: not a publisher")
+            real(transport, header)
+
+        with mock.patch.object(TCPROSTransport, "_validate_header", refuse_once):
+            subscriber = rospy.Subscriber("refusing", String, lambda message: heard.append(message.data))
+            wait_until(lambda: heard == ["here"])
+        self.assertEqual(1, len(refused))
         subscriber.unregister()
         publisher.unregister()
 

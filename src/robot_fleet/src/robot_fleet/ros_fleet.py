@@ -5,23 +5,27 @@ import time
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Optional, Set, Tuple, Union
 
-import actionlib
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Fleet, FleetMember, FleetRobot, FleetService, Lexicon, Reply, World
 from std_msgs.msg import String
 
 from command_server.emergency_words import NOT_A_PERSON, may_release
 from command_server.inbox import Inbox
+from command_server.open_commands import refusal_of_delay
 from command_server.ros_command_action import CommandActionServer
-from command_server.ros_events import is_played
+from command_server.ros_events import Said, said_by_goal, said_by_text
+from command_server.stop_words import find_cry
 from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.replays import AGAIN, OLDEST_NS
 from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_replays import REPLAYED, GoalsOnce
 from roboframenet_ros.ros_robots import is_robot_name
+from roboframenet_ros.ros_taken_texts import TakenOut
 from robot_fleet.addressing import Company, Robot
 from robot_fleet.places import Place, place_in
-from robot_fleet.ros_out import RepliesOut, TakenOut
+from robot_fleet.ros_out import RepliesOut
 from robot_fleet.ros_robots import RobotLinks, ServiceWatch
 from robot_fleet.ros_utterances import Utterances
 from robot_fleet.roster import Roster
@@ -38,10 +42,8 @@ _JOIN_TIMEOUT_S = 2.0
 
 @dataclass(frozen=True)
 class _Said:
-    text: str
+    said: Said
     command_id: str
-    handle: "actionlib.ServerGoalHandle" = None
-    is_played: bool = False
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class FleetNode:
 
     Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
     ``<robot>/command/result``, ``<robot>/command/feedback``, ``<robot>/status``. Publishes: ``reply``, ``text_taken``,
-    ``fleet`` and ``fleet_started`` (latched), ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``.
+    ``fleet`` (latched), ``fleet_started``, ``fleet_service``, ``<robot>/command/goal``, ``<robot>/command/cancel``.
     Actions: ``command``.
     """
 
@@ -95,16 +97,15 @@ class FleetNode:
         self._told_s = self._listed_s = 0.0
         self._was_up = False
         self._listed: Optional[_List] = None
-        self._text_ids = TextIds(TextSource.TEXT)
+        self._text_ids, self._replayed_ids = TextIds(TextSource.TEXT), TextIds(TextSource.REPLAYED)
+        self._goals = GoalsOnce()
         self._replies = RepliesOut()
-        self._taken = TakenOut()
+        self._taken = TakenOut("fleet_started")
         self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
         self._life = rospy.Publisher("fleet_service", FleetService, queue_size=5)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
         self._action = CommandActionServer(
-            on_goal=lambda handle: self._events.put(
-                _Said(handle.get_goal().text, handle.get_goal_id().id, handle, is_played(handle.goal))
-            ),
+            on_goal=lambda handle: self._events.put(_Said(said_by_goal(handle), handle.get_goal_id().id)),
             on_cancel=lambda command_id: self._events.put(_Cancelled(command_id)),
         )
         self._worker = threading.Thread(target=self._work, name="fleet")
@@ -114,7 +115,8 @@ class FleetNode:
         rospy.on_shutdown(self._shutdown)
         for command in self._utterances.take_over():
             rospy.loginfo("cmd=%s was open when this node ended", command.id)
-            self._taken.tell(command.id, command.text)
+            age_s = (rospy.Time.now() - command.stamp).to_sec()
+            self._taken.tell(command.id, command.text, heard_s=time.monotonic() - age_s)
         self._worker.start()
         self._subscribers = [
             rospy.Subscriber("fleet_member", FleetMember, self._events.put, queue_size=1000),
@@ -136,7 +138,7 @@ class FleetNode:
         self._utterances.close()
 
     def _hear_text(self, message: String) -> None:
-        self._events.put(_Said(message.data, self._text_ids.next_id(), is_played=is_played(message)))
+        self._events.put(_Said(said_by_text(message), self._text_ids.next_id()))
 
     def _hear_verbs(self, verbs: Set[str]) -> None:
         self._verbs = frozenset(verbs)
@@ -172,17 +174,7 @@ class FleetNode:
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, _Said):
-            if event.handle is not None:
-                self._action.accept(event.handle)
-            if event.is_played and may_release(event.text):
-                # The robots hear this node, and not the bag.
-                self._utterances.refuse(event.text, NOT_A_PERSON, code=EMERGENCY_STOP, command_id=event.command_id)
-            else:
-                near = place_in(event.text, self._places)
-                self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
-            # Whatever ends this node from now on, it is answered.
-            self._utterances.save()
-            self._taken.tell(event.command_id, event.text)
+            self._hear(event.said, event.command_id)
         elif isinstance(event, _Cancelled):
             self._utterances.cancel(event.command_id)
         elif isinstance(event, _Begun):
@@ -195,6 +187,27 @@ class FleetNode:
             if self._roster.hear(event.name, event, now_s=time.monotonic()):
                 rospy.loginfo("%s has joined", event.name)
                 self._links.prepare(event.name)
+
+    def _hear(self, said: Said, command_id: str) -> None:
+        # The robots have heard a stop, whoever repeats it.
+        if said.handle is not None and find_cry(said.text) is None and self._goals.refuses(said.handle):
+            self._utterances.refuse(said.text, AGAIN, code=REPLAYED, command_id=self._replayed_ids.next_id())
+            return
+        if said.handle is not None:
+            self._action.accept(said.handle)
+        late = refusal_of_delay(said.delay_s, longest_s=OLDEST_NS / 1e9)
+        if said.is_played and may_release(said.text):
+            # The robots hear this node, and not the bag.
+            self._utterances.refuse(said.text, NOT_A_PERSON, code=EMERGENCY_STOP, command_id=command_id)
+        elif late is not None and find_cry(said.text) is None:
+            code, sentence = late
+            self._utterances.refuse(said.text, sentence, code=code, command_id=command_id)
+        else:
+            near = place_in(said.text, self._places)
+            self._utterances.say(said.text, self._company(), command_id=command_id, near=near)
+        # Whatever ends this node from now on, it is answered.
+        self._utterances.save()
+        self._taken.tell(command_id, said.text, heard_s=said.arrival_s)
 
     def _company(self) -> Company:
         busy = self._utterances.busy

@@ -76,6 +76,7 @@ class FleetMemberNode:
     def _shutdown(self) -> None:
         self._is_closing.set()
         self._worker.join(_JOIN_TIMEOUT_S)
+        self._untaken.close()
 
     def _hear_service(self, service: FleetService) -> None:
         # What the network delivers late is no sign of life.
@@ -102,7 +103,6 @@ class FleetMemberNode:
             if self._home_s is not None and time.monotonic() >= self._home_s:
                 self._home_s = None
                 self._go_home()
-            self._untaken.turn()
             self._tell()
 
     def _do(self, act: Act) -> None:

@@ -34,9 +34,11 @@ from std_msgs.msg import String
 
 from roboframenet_ros.command_ids import is_spoken
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.replays import OLDEST_OF_ALL_NS
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 from roboframenet_ros.ros_stage import Stage
 from robot_fleet.addressing import listed, others_addressed, spoken
@@ -124,6 +126,7 @@ class SemanticFramer:
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
         place.problems.advertise()
         self._stage = Stage("semantic_framer")
+        self._replays = ReplayWatch(self._stage, oldest_ns=OLDEST_OF_ALL_NS)
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
@@ -271,6 +274,8 @@ class SemanticFramer:
         return talk
 
     def _on_command(self, message: CommandParse) -> None:
+        if self._replays.refuses(message.command):
+            return
         robot = message.command.robot
         others = others_addressed(message.command.text, robot, self._robots, self._lexicon.verbs) if robot else ()
         if others:

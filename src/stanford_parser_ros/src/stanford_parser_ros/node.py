@@ -15,8 +15,10 @@ from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.replays import OLDEST_OF_ALL_NS
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
@@ -92,6 +94,7 @@ class ParserNode:
         self._parses = HandOver("command_parse", CommandParse)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._stage = Stage("stanford_parser_ros")
+        self._replays = ReplayWatch(self._stage, oldest_ns=OLDEST_OF_ALL_NS)
         # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._known = NO_WORDS
         self._lock = threading.Lock()
@@ -192,6 +195,8 @@ class ParserNode:
             self._known = replace(self._known, names=words)
 
     def _on_command(self, command: Command) -> None:
+        if self._replays.refuses(command):
+            return
         try:
             self._commands.put_nowait(command)
         except queue.Full:

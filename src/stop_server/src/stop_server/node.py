@@ -5,7 +5,6 @@ Callbacks only enqueue; the thread of the brake stops the robot and answers.
 
 import queue
 import threading
-import time
 from dataclasses import dataclass
 from typing import Dict, Optional, Sequence
 
@@ -19,7 +18,7 @@ from roboframenet_msgs.msg import (
     Reply,
     StopReport,
 )
-from std_msgs.msg import Empty, String
+from std_msgs.msg import String
 
 from command_server.beside_cries import words_not_done
 from command_server.emergency_words import is_emergency_stop
@@ -29,7 +28,8 @@ from roboframenet_ros.command_ids import TextIds, TextSource, came_by_action
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
-from roboframenet_ros.ros_server_links import newest_link
+from roboframenet_ros.ros_taken_texts import UntakenWatch
+from roboframenet_ros.untaken_texts import Said
 from robot_fleet.robot_names import Names
 from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
@@ -40,13 +40,9 @@ from stop_server.heard_once import HeardOnce
 from stop_server.other_answers import OtherAnswers
 from stop_server.ros_emergency import EmergencyKeeper
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
-from stop_server.unheard_texts import UnheardTexts
 
 STAGE = "stop_server"
 _JOIN_TIMEOUT_S = 2.0
-# Until then after its start, the command server hears what is said, and has taken it; monotonic seconds.
-_LISTENING_S = 3.0
-_TAKEN_S = 6.0
 # How many stops are kept whose reports may be repeated.
 _MOST_TOLD = 1000
 
@@ -88,14 +84,13 @@ class StopServerNode:
     def __init__(self, settings: BrakeSettings) -> None:
         self._settings = settings
         self._stop_ids = TextIds(TextSource.STOP)
-        self._unheard_ids = TextIds(TextSource.UNHEARD)
+        self._untaken_ids = TextIds(TextSource.UNHEARD)
         self._lock = threading.Lock()
         self._heard: Dict[str, _StopHeard] = {}
         # Owned by the thread of the brake.
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
-        self._unheard = UnheardTexts()
-        self._answering = threading.Timer(_TAKEN_S, lambda: None)
+        self._untaken = UntakenWatch(self._answer_untaken, on_start=self._hear_commander)
         self._heard_once = HeardOnce()
         self._orders_back = OrdersTakenBack()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
@@ -110,6 +105,7 @@ class StopServerNode:
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
         self._emergency.start()
+        self._untaken.start(taken="text_taken", started="command_server_started")
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("status", CommandStatus, self._orders_back.hear_status),
@@ -121,9 +117,7 @@ class StopServerNode:
             ),
             rospy.Subscriber("cry_heard", Command, self._hear_of_cry, tcp_nodelay=True),
             rospy.Subscriber("frame_servers", FrameServers, self._hear_servers),
-            rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
         ]
-        self._starts = rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start())
         self._robot = own_robot()
         self._names = Names({self._robot: ()})
         if self._robot:
@@ -142,6 +136,7 @@ class StopServerNode:
         self._emergency.close(timeout_s=_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=_JOIN_TIMEOUT_S)
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
+        self._untaken.close()
 
     def _hear(self, text: str, *, is_goal: bool, command_id: str = "") -> None:
         if is_stop(text) and not self._orders_back.is_meant(text):
@@ -150,8 +145,7 @@ class StopServerNode:
             if is_new:
                 self._stop_said(text, stamp=rospy.Time.now(), command_id=command_id)
         elif not command_id:
-            with self._lock:
-                self._unheard.hear(text, stamp_ns=rospy.Time.now().to_nsec())
+            self._untaken.hear(text)
 
     def _hear_of_cry(self, command: Command) -> None:
         """The command server has heard a cry: so has this node, or the client was not connected to it yet."""
@@ -172,39 +166,22 @@ class StopServerNode:
         named.update({robot.name: robot.spoken_names for robot in fleet.robots})
         self._names = Names(named)
 
-    def _hear_taken(self, text: str) -> None:
-        with self._lock:
-            self._unheard.hear_taken(text)
-
-    def _hear_start(self) -> None:
-        """The command server was started; some time later, reply to what was said while it did not run."""
+    def _hear_commander(self) -> None:
         with self._lock:
             self._heard_once.forget()
-        # Of two starts, the later one answers for both.
-        self._answering.cancel()
-        self._answering = threading.Timer(_TAKEN_S, self._answer_unheard, args=(time.monotonic() + _LISTENING_S,))
-        self._answering.daemon = True
-        self._answering.start()
 
-    def _answer_unheard(self, before_s: float) -> None:
-        if newest_link(self._starts) == ("", ""):
-            # It has died meanwhile, and may have kept what it took: the next start decides.
-            return
-        with self._lock:
-            unheard = self._unheard.take_unheard(before_s=before_s)
-        for text in unheard:
-            now = rospy.Time.now()
-            publish(
-                self._reply,
-                Reply(
-                    command=Command(id=self._unheard_ids.next_id(), text=text, stamp=now),
-                    outcome=Reply.FAILED,
-                    stage=STAGE,
-                    code="RESTARTED",
-                    sentence="Nobody took that: command_server was being restarted. Please say it again.",
-                    stamp=now,
-                ),
-            )
+    def _answer_untaken(self, said: Said) -> None:
+        now = rospy.Time.now()
+        reply = Reply(
+            command=Command(id=self._untaken_ids.next_id(), text=said.text, stamp=now),
+            outcome=Reply.FAILED,
+            stage=STAGE,
+            code="RESTARTED",
+            sentence="Nobody took that: command_server was being restarted. Please say it again.",
+            stamp=now,
+        )
+        rospy.logwarn("cmd=%s %r: %s", reply.command.id, said.text, reply.sentence)
+        publish(self._reply, reply)
 
     def _stop_said(self, text: str, *, stamp: rospy.Time, command_id: str) -> None:
         self._stop(_StopHeard(text, stamp, command_id, is_emergency=is_emergency_stop(text)))
@@ -225,9 +202,7 @@ class StopServerNode:
     def _hear_reply(self, reply: Reply) -> None:
         if reply._connection_header["callerid"] == rospy.get_name():
             return
-        if not came_by_action(reply.command.id):
-            with self._lock:
-                self._unheard.hear_reply(reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
+        self._untaken.hear_reply(reply)
         self._orders_back.hear_reply(reply)
         if reply.stage == STAGE or may_be_order_taken_back(reply.command):
             with self._lock:

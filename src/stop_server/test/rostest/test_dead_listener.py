@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A listener of `reply` that was killed doubles no reply: one for each text that is said around a kill."""
+"""Neither a listener of `reply` that was killed, nor a stop server that was started anew, doubles a reply."""
 
 import collections
 import os
@@ -13,8 +13,9 @@ import rosgraph
 import rospy
 import rostest
 from roboframenet_msgs.msg import Reply
-from std_msgs.msg import Empty, String
+from std_msgs.msg import Duration, String
 
+from roboframenet_ros.untaken_texts import TOLD_S
 from roboframenet_testing import wait_until
 from roboframenet_testing.ros_processes import process_of
 
@@ -29,6 +30,8 @@ rospy.spin()
 DELAYS_S = (0.005, 0.015)
 #: So long after the start of the command server, both have replied to all that they are going to.
 ANSWERED_S = 13.0
+#: Within so long after it hears texts, a node hears the others, seconds.
+CONNECTED_S = 2.0
 
 
 class DeadListenerTest(unittest.TestCase):
@@ -39,7 +42,7 @@ class DeadListenerTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=10)
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append),
-            rospy.Subscriber("command_server_started", Empty, cls.starts.append),
+            rospy.Subscriber("command_server_started", Duration, cls.starts.append),
         ]
         cls.wait_for_nodes()
         process = subprocess.Popen([sys.executable, "-c", _LISTENER])
@@ -58,7 +61,30 @@ class DeadListenerTest(unittest.TestCase):
             message="the nodes are not there",
         )
 
-    def test_one_reply_each(self):
+    @staticmethod
+    def is_another(node, pid):
+        try:
+            return process_of(node) != pid
+        except (OSError, rospy.ROSException):
+            return False
+
+    def test_1_stop_server_that_was_started_anew_takes_nothing_for_unheard(self):
+        self.wait_for_nodes()
+        pid = process_of("stop_server")
+        os.kill(pid, signal.SIGKILL)
+        said, end_s = [], None
+        # It hears texts before it hears what becomes of them, or the other way round.
+        while end_s is None or time.monotonic() < end_s:
+            said.append(f"Turn left {len(said) + 1} degrees.")
+            self.text.publish(said[-1])
+            time.sleep(0.02)
+            if end_s is None and self.is_another("stop_server", pid):
+                end_s = time.monotonic() + CONNECTED_S
+        time.sleep(TOLD_S)
+        told = [reply for reply in self.replies if reply.command.text in said and reply.stage == "stop_server"]
+        self.assertEqual([], [(reply.command.text, reply.code) for reply in told])
+
+    def test_2_one_reply_each(self):
         texts = [f"Turn right {120 + number} degrees." for number in range(len(DELAYS_S))]
         for text, delay_s in zip(texts, DELAYS_S):
             self.wait_for_nodes()

@@ -21,7 +21,7 @@ from roboframenet_msgs.msg import (
     Reply,
     StopReport,
 )
-from std_msgs.msg import Empty, String
+from std_msgs.msg import Duration, String
 
 from roboframenet_testing import wait_until
 
@@ -109,13 +109,13 @@ class StopServerNodeTest(unittest.TestCase):
 
     def test_what_was_said_while_the_command_server_was_away_is_answered(self):
         taken = rospy.Publisher("text_taken", String, queue_size=10)
-        started = rospy.Publisher("command_server_started", Empty, queue_size=10)
+        started = rospy.Publisher("command_server_started", Duration, queue_size=10)
         wait_until(lambda: taken.get_num_connections() == 1 and started.get_num_connections() == 1)
-        taken.publish("Turn left.")
+        taken.publish("text-1 0.0 Turn left.")
         for text in ("Turn left.", "Ping.", "Stop."):
             self.text.publish(text)
         self.answer_to("Stop.")
-        started.publish(Empty())
+        started.publish(Duration())
 
         def unheard():
             return [reply.command.text for reply in list(self.replies) if reply.code == "RESTARTED"]

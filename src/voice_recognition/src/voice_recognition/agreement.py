@@ -4,6 +4,7 @@ import enum
 from dataclasses import dataclass
 from typing import Mapping, Optional, Sequence, Tuple
 
+from command_server.emergency_words import is_emergency_stop
 from command_server.stop_words import is_stop
 from voice_recognition.offers import Offer, OfferFinder, without_politeness
 from voice_recognition.spoken_language import Words
@@ -42,6 +43,11 @@ class Heard:
     by_ngram: Words = ()
     answer: str = ""
     is_stop: bool = False
+
+    @property
+    def is_emergency(self) -> bool:
+        """Whether both searches heard the emergency stop."""
+        return all(is_emergency_stop(" ".join(words)) for words in (self.by_grammar, self.by_ngram))
 
 
 def compare(by_grammar: Words, by_ngram: Words, finder: OfferFinder) -> Heard:

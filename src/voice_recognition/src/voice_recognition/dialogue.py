@@ -162,7 +162,9 @@ class OtherCommand:
 
 @dataclass(frozen=True)
 class Stopped:
-    """Words that stop the robot were heard."""
+    """Words that stop the robot were heard: `is_emergency` when they engage the emergency stop."""
+
+    is_emergency: bool = False
 
 
 @dataclass(frozen=True)
@@ -201,7 +203,9 @@ class Command:
 
 @dataclass(frozen=True)
 class Stop:
-    """The robot stops, at once and without a question."""
+    """The robot stops, at once and without a question; for `is_emergency`, until a person releases it."""
+
+    is_emergency: bool = False
 
 
 Action = Union[Say, Command, Stop]
@@ -235,7 +239,7 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
     if isinstance(event, Stopped):
         # An open question is gone as well: nothing may begin after a stop by a "yes" to a question before it.
         between = begin(settings)
-        return (replace(state, behind=between) if isinstance(state, Deaf) else between), (Stop(),)
+        return (replace(state, behind=between) if isinstance(state, Deaf) else between), (Stop(event.is_emergency),)
     if isinstance(event, OtherCommand):
         return _without_question(state, settings), ()
     if isinstance(event, Settled):
@@ -326,7 +330,7 @@ def _expired(state: State, now: float, settings: DialogueSettings) -> Step:
 
 def _heard_command(state: Listening, heard: Heard, now: float, settings: DialogueSettings) -> Step:
     if heard.is_stop:
-        return begin(settings), (Stop(),)
+        return begin(settings), (Stop(heard.is_emergency),)
     if heard.offers:
         return _offered(heard, now, settings)
     if heard.verdict is Verdict.NOTHING and settings.always_listening:
@@ -358,7 +362,7 @@ def _heard_answer(state: Union[Confirming, Replying], heard: Heard, now: float, 
     if heard.answer:
         return _answered(state, heard.answer, now, settings)
     if heard.is_stop:
-        return begin(settings), (Stop(),)
+        return begin(settings), (Stop(heard.is_emergency),)
     if heard.verdict is Verdict.SURE and heard.offers:
         return _offered(heard, now, settings)
     if state.repeats >= settings.most_repeats:

@@ -12,6 +12,7 @@ from std_msgs.msg import Bool, Empty, String
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
 from command_server.answers import closed_answers
+from command_server.emergency_words import is_emergency_stop
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -51,7 +52,7 @@ from voice_recognition.ros_search_thread import SearchThread
 from voice_recognition.ros_speaker import Speaker
 from voice_recognition.settings import Settings
 from voice_recognition.spoken_language import Words, spoken_words
-from voice_recognition.spotting import LONGEST_S, StopSpotter, says_stop
+from voice_recognition.spotting import EMERGENCY_TEXT, LONGEST_S, STOP_TEXT, StopSpotter, says_stop
 
 #: Seconds between two looks at the expiry of a state.
 TICK_S = 0.2
@@ -61,7 +62,6 @@ SETTLE_S = 1.0
 RETRY_S = 10.0
 #: Seconds of one sound of another node that keep this node deaf, at most.
 LONGEST_SOUND_S = 60.0
-STOP_TEXT = "Stop."
 
 
 class VoiceRecognition:
@@ -89,7 +89,7 @@ class VoiceRecognition:
         self._said = ""
         self._ears: Optional[Ears] = None
         self._early: EarlyHearing[Tuple[dialogue.State, Ears], Heard] = EarlyHearing()
-        self._early_stop: EarlyHearing[None, bool] = EarlyHearing()
+        self._early_stop: EarlyHearing[None, str] = EarlyHearing()
         self._reply_ears: Optional[ReplyEars] = None
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
@@ -183,9 +183,9 @@ class VoiceRecognition:
         if isinstance(action, Say):
             self._speaker.say(action.sentence)
         elif isinstance(action, Stop):
-            self._text.publish(String(data=STOP_TEXT))
+            self._text.publish(String(data=EMERGENCY_TEXT if action.is_emergency else STOP_TEXT))
             self._speaker.be_silent()
-            rospy.loginfo("heard a stop")
+            rospy.loginfo("heard %s", "the emergency stop" if action.is_emergency else "a stop")
         elif isinstance(action, Command):
             rospy.loginfo("passes on: %s (%s)", action.text, "confirmed" if action.is_confirmed else "not asked")
             self._text.publish(String(data=action.text))
@@ -329,11 +329,14 @@ class VoiceRecognition:
 
     def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
         """Look for a stop in the stream while the robot speaks."""
-        if not self._speakers:
+        if not self._speakers or self._pass_on_stop(spotter.stop_in_stream(part)):
             spotter.forget_stream()
-        elif spotter.hears_stop_in_stream(part):
-            spotter.forget_stream()
-            self._happened(Stopped())
+
+    def _pass_on_stop(self, text: str) -> bool:
+        """Pass on the stop that was heard, empty for none; returns whether there was one."""
+        if text:
+            self._happened(Stopped(text == EMERGENCY_TEXT))
+        return bool(text)
 
     def _on_utterance(self, spotter: StopSpotter, utterance: Utterance) -> None:
         if self._may_be_stop(utterance):
@@ -349,7 +352,7 @@ class VoiceRecognition:
     def _on_pause(self, spotter: StopSpotter, utterance: Utterance) -> None:
         """Begin the searches when an utterance may have ended; what they hear counts if nobody speaks on."""
         if self._may_be_stop(utterance):
-            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.is_stop))
+            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.stop_in))
         with self._lock:
             searches = self._searches()
         if searches is not None:
@@ -373,8 +376,7 @@ class VoiceRecognition:
         return (state, ears), hear
 
     def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        if self._early_stop.heard(utterance, None, spotter.is_stop):
-            self._happened(Stopped())
+        self._pass_on_stop(self._early_stop.heard(utterance, None, spotter.stop_in))
 
     def _understand(
         self, utterance: Utterance, how: Tuple[dialogue.State, Ears], hear: Callable[[bytes], Heard]
@@ -395,7 +397,7 @@ class VoiceRecognition:
     def _on_live_speech(self, sentence: str) -> None:
         """Take what another recogniser heard, as if the two searches had agreed on it."""
         if is_stop(sentence):
-            self._happened(Stopped())
+            self._happened(Stopped(is_emergency_stop(sentence)))
             return
         words = spoken_words(sentence)
         with self._lock:

@@ -7,6 +7,7 @@ from typing import Deque, FrozenSet, Tuple
 
 import numpy as np
 
+from command_server.emergency_words import is_emergency_stop
 from command_server.stop_words import is_stop
 from voice_recognition.class_ngram import write_ngram
 from voice_recognition.denoising import without_noise
@@ -45,6 +46,10 @@ _QUIET_SHARE, _LOUD_SHARE = 15, 95
 #: Each utterance has its own mean of the spectrum, whatever was heard before it.
 _SETTINGS = MappingProxyType({"cmn": "batch"})
 _NEGATIONS = word_class("negations")
+#: Makes the emergency stop of a stop.
+_EMERGENCY = "emergency"
+#: What the robot is told.
+STOP_TEXT, EMERGENCY_TEXT = "Stop.", "Emergency stop."
 
 
 class StopSpotter:
@@ -76,19 +81,28 @@ class StopSpotter:
         self._stream: Deque[bytes] = deque()
         self._since_look = 0
 
-    def is_stop(self, pcm: bytes) -> bool:
-        """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
+    def stop_in(self, pcm: bytes) -> str:
+        """Return the stop that an utterance is; empty for none. It is none with more than ``LONGEST_S`` of speech."""
         clearness_db, spoken_s = clearness_and_length(pcm)
         if spoken_s > LONGEST_S:
-            return False
+            return ""
         if spoken_s > SLOWEST_S + SLOWEST_WORD_S * MOST_WORDS:
             # In the search for noise, stops are so likely that some seconds of talk may be nothing else.
-            return is_repeated_stop(self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words, spoken_s)
+            words = self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words
+            return stop_text(words) if is_repeated_stop(words, spoken_s) else ""
         if clearness_db >= CLEAR_DB:
-            return all(is_clear_stop(self._words(one, pcm, spoken_s)) for one in (_CLEAR_SEARCH, _ANY_WORD_SEARCH))
+            for search in (_CLEAR_SEARCH, _ANY_WORD_SEARCH):
+                words = self._words(search, pcm, spoken_s)
+                if not is_clear_stop(words):
+                    return ""
+            return stop_text(words)
         # What is before and behind a word in noise is sometimes heard as a part of it.
         closer = pcm[_bytes(BEFORE_S) : len(pcm) - _bytes(BEHIND_S)]
-        return any(is_heard_stop(self._words(_SEARCH, part, spoken_s)) for part in (pcm, closer) if part)
+        for part in filter(None, (pcm, closer)):
+            words = self._words(_SEARCH, part, spoken_s)
+            if is_heard_stop(words):
+                return stop_text(words)
+        return ""
 
     def _words(self, search: str, pcm: bytes, spoken_s: float) -> Words:
         """Return what a search hears; nothing if there are too many words for a stop, or too few for their time."""
@@ -96,16 +110,16 @@ class StopSpotter:
         is_likely = len(words) <= MOST_WORDS and spoken_s <= SLOWEST_S + SLOWEST_WORD_S * len(words)
         return words if is_likely else ()
 
-    def hears_stop_in_stream(self, part: bytes) -> bool:
-        """Take the next part of the stream while the robot speaks; return whether its last seconds are a stop."""
+    def stop_in_stream(self, part: bytes) -> str:
+        """Take the next part of the stream while the robot speaks; return the stop that its last seconds are."""
         self._stream.append(part)
         self._since_look += len(part)
         while sum(map(len, self._stream)) > WINDOW_S * RATE * 2:
             self._stream.popleft()
         if self._since_look < PERIOD_S * RATE * 2:
-            return False
+            return ""
         self._since_look = 0
-        return self.is_stop(b"".join(self._stream))
+        return self.stop_in(b"".join(self._stream))
 
     def forget_stream(self) -> None:
         """Forget the stream: the robot is silent."""
@@ -134,6 +148,15 @@ def clearness_and_length(pcm: bytes) -> Tuple[float, float]:
     return float(voice_db - noise_db), float(length_s)
 
 
+def stop_text(words: Words) -> str:
+    """Return what the robot is told for words that stop it: the emergency stop when they name it.
+
+    Args:
+        words: what was heard
+    """
+    return EMERGENCY_TEXT if is_emergency_stop(" ".join(words)) else STOP_TEXT
+
+
 def is_repeated_stop(words: Words, spoken_s: float) -> bool:
     """Whether words are nothing but a stop, again and again: "Stop! Stop! Stop!".
 
@@ -142,7 +165,8 @@ def is_repeated_stop(words: Words, spoken_s: float) -> bool:
         spoken_s: how long it took, seconds
     """
     is_quick = spoken_s <= SLOWEST_CRY_S * len(words)
-    return len(words) >= LEAST_CRIES and is_quick and all(map(is_stop, words))
+    cries = [word for word in words if word != _EMERGENCY]
+    return len(words) >= LEAST_CRIES and is_quick and bool(cries) and all(map(is_stop, cries))
 
 
 def short_words(known: Dictionary, *, unlike: FrozenSet[str]) -> Dictionary:

@@ -42,6 +42,9 @@ def test_what_both_searches_heard_is_compared(finder: OfferFinder, one, other, v
 def test_a_stop_needs_both_searches(finder: OfferFinder) -> None:
     assert compare(("stop",), ("stop", "now"), finder).is_stop
     assert not compare(("stop",), ("shop",), finder).is_stop
+    emergency = ("emergency", "stop")
+    assert compare(emergency, emergency, finder).is_emergency
+    assert not compare(emergency, ("stop",), finder).is_emergency
 
 
 @pytest.mark.parametrize(

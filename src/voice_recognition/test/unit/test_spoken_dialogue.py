@@ -143,9 +143,10 @@ def test_it_hears_again_though_nobody_says_that_the_robot_is_silent() -> None:
 
 @pytest.mark.parametrize("before", [[], [Pushed()], [Pushed(), *spoken(SURE)], [Pushed(), SpeechEnded()]])
 @pytest.mark.parametrize("is_deaf", [False, True])
-def test_a_stop_needs_no_question_in_any_state(before, is_deaf: bool) -> None:
-    state, done = run([*before, RobotSpeaks(is_deaf), Stopped()])
-    assert done[-1] == Stop()
+@pytest.mark.parametrize("is_emergency", [False, True])
+def test_a_stop_needs_no_question_in_any_state(before, is_deaf: bool, is_emergency: bool) -> None:
+    state, done = run([*before, RobotSpeaks(is_deaf), Stopped(is_emergency)])
+    assert done[-1] == Stop(is_emergency)
     state, done = run([RobotSpeaks(False), Answered("yes"), *spoken(Heard(Verdict.SURE, answer="yes"))], state=state)
     assert not done and state == Waiting()
 

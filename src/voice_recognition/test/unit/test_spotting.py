@@ -12,7 +12,9 @@ from voice_recognition.endpointing import Endpointer
 from voice_recognition.recogniser import model_dictionary
 from voice_recognition.spotting import (
     CLEAR_DB,
+    EMERGENCY_TEXT,
     LONGEST_S,
+    STOP_TEXT,
     StopSpotter,
     clearness_and_length,
     is_clear_stop,
@@ -43,7 +45,22 @@ def test_a_stop_is_heard_in_noise(spotter: StopSpotter, text: str, voice: Tuple[
     pcm = with_noise(with_silence(speech(text, voice), before_s=0.8), 10.0, seed=1)
     endpointer = Endpointer()
     found = endpointer.feed(pcm) + endpointer.finish()
-    assert any(spotter.is_stop(one.pcm) for one in found)
+    assert any(spotter.stop_in(one.pcm) for one in found)
+
+
+@pytest.mark.parametrize("voice", VOICES[:3])
+@pytest.mark.parametrize("snr_db", [None, 10.0])
+@pytest.mark.parametrize(
+    "text, told",
+    [("emergency stop", EMERGENCY_TEXT), ("emergency stop, emergency stop", EMERGENCY_TEXT), ("stop", STOP_TEXT)],
+)
+def test_an_emergency_stop_is_told_from_a_stop(
+    spotter: StopSpotter, text: str, told: str, snr_db: Optional[float], voice: Tuple[str, str]
+) -> None:
+    pcm = with_silence(speech(text, voice), before_s=0.8, after_s=0.6)
+    endpointer = Endpointer()
+    found = endpointer.feed(pcm if snr_db is None else with_noise(pcm, snr_db, seed=1)) + endpointer.finish()
+    assert {spotter.stop_in(one.pcm) for one in found} - {""} == {told}
 
 
 @pytest.mark.parametrize("text", ["stop", "robot stop"])
@@ -58,8 +75,8 @@ def test_speech_is_clear_in_a_quiet_room_and_its_length_is_that_of_the_words(tex
 
 def test_what_lasts_longer_than_its_words_is_no_stop(spotter: StopSpotter) -> None:
     said = speech("stop")
-    assert spotter.is_stop(with_silence(said, before_s=0.5, after_s=0.4))
-    assert not spotter.is_stop(silence(0.5) + said + silence(0.9) + said + silence(0.9) + said + silence(0.4))
+    assert spotter.stop_in(with_silence(said, before_s=0.5, after_s=0.4))
+    assert not spotter.stop_in(silence(0.5) + said + silence(0.9) + said + silence(0.9) + said + silence(0.4))
 
 
 @pytest.mark.parametrize("voice", VOICES[:3])
@@ -71,7 +88,7 @@ def test_a_cry_is_a_stop_though_it_is_long(
     found = []
     endpointer = Endpointer()
     for one in endpointer.feed(pcm if snr_db is None else with_noise(pcm, snr_db, seed=1)) + endpointer.finish():
-        found.append(one.end_s - one.begin_s <= LONGEST_S and spotter.is_stop(one.pcm))
+        found.append(one.end_s - one.begin_s <= LONGEST_S and spotter.stop_in(one.pcm))
     assert any(found)
 
 
@@ -83,6 +100,8 @@ def test_a_cry_is_a_stop_though_it_is_long(
         ("stop stop stop", 3.0, False),  # too long for its words
         ("stop stop", 1.7, False),
         ("stop the stop", 2.0, False),
+        ("emergency stop emergency stop", 2.6, True),
+        ("emergency emergency emergency", 2.6, False),
     ],
 )
 def test_a_cry_is_nothing_but_a_word_that_stops(words: str, spoken_s: float, is_one: bool) -> None:
@@ -97,7 +116,7 @@ def test_a_cry_is_nothing_but_a_word_that_stops(words: str, spoken_s: float, is_
     ],
 )
 def test_other_words_are_no_stop(spotter: StopSpotter, text: str) -> None:
-    assert not spotter.is_stop(with_silence(speech(text), before_s=0.5, after_s=0.4))
+    assert not spotter.stop_in(with_silence(speech(text), before_s=0.5, after_s=0.4))
 
 
 @pytest.mark.parametrize(
@@ -124,11 +143,11 @@ def test_a_stop_is_heard_beside_one_word_that_is_misheard(words: str, stops: boo
 
 def test_a_stop_is_heard_in_the_stream(spotter: StopSpotter) -> None:
     pcm = silence(1.0) + speech("stop") + silence(1.5)
-    found = [spotter.hears_stop_in_stream(pcm[at : at + 3200]) for at in range(0, len(pcm), 3200)]
+    found = [spotter.stop_in_stream(pcm[at : at + 3200]) for at in range(0, len(pcm), 3200)]
     assert any(found)
     spotter.forget_stream()
     quiet = silence(3.0)
-    assert not any(spotter.hears_stop_in_stream(quiet[at : at + 3200]) for at in range(0, len(quiet), 3200))
+    assert not any(spotter.stop_in_stream(quiet[at : at + 3200]) for at in range(0, len(quiet), 3200))
 
 
 @pytest.mark.parametrize("text, stops", [("I have stopped.", False), ("I stop now.", True), ("Shall I turn?", False)])
