@@ -74,6 +74,26 @@ def _has_unlike_items(case: _Case) -> bool:
     return False
 
 
+def _has_deed_in_list(case: _Case) -> bool:
+    """Whether an item of a list is the whole verb of a unit: "the kitchen and *high five*"."""
+    for _, argument in case.filled():
+        for item in case.sentence.types.items(argument.head_position)[1:]:
+            words = [index for index in case.tree.subtree(item) if case.tree.word(index).deprel not in ("cc", "punct")]
+            if len(words) > 1 and case.sentence.text(sorted(words)).lower() in case.known.lexicon.verbs:
+                return True
+    return False
+
+
+def _has_most_as_goal(case: _Case) -> bool:
+    """Whether "up to" before a number says where to: it may say how many: "bring me *up to three* apples"."""
+    words = case.parsed.words
+    for before, preposition, number in zip(words, words[1:], words[2:]):
+        is_most = (before.form.lower(), preposition.form.lower()) == ("up", "to") and number.upos == "NUM"
+        if is_most and preposition.deprel == "case":
+            return True
+    return False
+
+
 def _sort(types: Likelihoods) -> str:
     """Return whether something is a thing, a being, a place, ...; empty if that is not certain."""
     shares: Dict[str, float] = {}
@@ -200,7 +220,11 @@ class _Doubt(NamedTuple):
 DOUBTS: Mapping[str, _Doubt] = {
     "unlike_items": _Doubt(_has_unlike_items, "A list has items of unlike sorts."),
     "unmarked_possessor": _Doubt(_has_unmarked_possessor, "A possessor has no mark, or no possessor has one."),
-    "phrase_of_no_unit": _Doubt(_has_phrase_of_no_unit, "No unit of the verb of a description takes its phrase."),
+    "deed_in_list": _Doubt(_has_deed_in_list, "A deed is an item of a list.", is_grave=True),
+    "most_as_goal": _Doubt(_has_most_as_goal, "The most of something is taken for a place.", is_grave=True),
+    "phrase_of_no_unit": _Doubt(
+        _has_phrase_of_no_unit, "No unit of the verb of a description takes its phrase.", is_grave=True
+    ),
     "unlike_verbs": _Doubt(_has_unlike_verbs, "A command is joined to a statement.", is_grave=True),
     "addressee_again": _Doubt(_has_addressee_again, "Somebody is told to do it to themselves.", is_grave=True),
     "description_as_message": _Doubt(_has_description_as_message, "A message describes its hearer.", is_grave=True),

@@ -55,6 +55,14 @@ MENDED = [
         ["following(cotheme=the person pointing to the left, goal=the kitchen, source=the sofa)"],
     ),
 ]
+#: What no tree makes sense of, and why.
+REFUSED = [
+    ("Ask Bob where he wants to go and take him there.", "addressee_again"),
+    ("Tell the man who wants to leave to wait.", "description_as_message"),
+    ("Take what you found to the kitchen.", "phrase_of_no_unit"),
+    ("Go to the kitchen and high five.", "deed_in_list"),
+    ("Bring me up to three apples.", "most_as_goal"),
+]
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +96,7 @@ def test_a_tree_that_shows_a_doubt_gives_way_to_one_without(
 
 
 def test_each_doubt_has_a_sentence_and_a_reason() -> None:
-    assert {doubt for _, doubt, _ in MENDED} == set(DOUBTS)
+    assert {doubt for _, doubt, *_ in (*MENDED, *REFUSED)} == set(DOUBTS)
     assert RULES[RULE]
     assert all(RULES[name] == doubt.reason for name, doubt in DOUBTS.items())
 
@@ -118,13 +126,16 @@ def test_a_tree_that_says_more_is_taken_if_it_is_likely(said: Said, text: str, m
         ("Grab the cup with the tongs.", "LEFT_OVER_WORDS"),
         ("go to the office frobnicatingly", "LEFT_OVER_WORDS"),
         ("Open and close the door twice.", "MISSING_ELEMENT"),
-        # No tree is without a grave doubt.
-        ("Ask Bob where he wants to go and take him there.", "CONDITION"),
-        ("Tell the man who wants to leave to wait.", "CONDITION"),
     ],
 )
-def test_where_no_tree_is_right_nothing_is_done(said: Said, text: str, code: str) -> None:
+def test_no_words_are_hidden(said: Said, text: str, code: str) -> None:
     assert said(text) == [code]
+
+
+@pytest.mark.parametrize(("text", "doubt"), REFUSED)
+def test_where_no_tree_is_without_a_grave_doubt_nothing_is_done(said: Said, text: str, doubt: str) -> None:
+    assert said(text) == ["CONDITION"]
+    assert said(text, frozenset([doubt])) != ["CONDITION"]
 
 
 @pytest.mark.parametrize(
