@@ -7,6 +7,7 @@ the verb of a description takes its phrases, "and" joins like verbs.
 from dataclasses import dataclass
 from typing import Callable, Dict, Iterator, Mapping, NamedTuple, Sequence, Tuple
 
+from semantic_framer.attachment import is_direction
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import DIRECTIONAL, read_clause
@@ -87,9 +88,10 @@ def _has_deed_in_list(case: _Case) -> bool:
 def _has_most_as_goal(case: _Case) -> bool:
     """Whether "up to" before a number says where to: it may say how many: "bring me *up to three* apples"."""
     words = case.parsed.words
+    phrases = {argument.head_position for _, argument in case.filled() if argument.measure is None}
     for before, preposition, number in zip(words, words[1:], words[2:]):
         is_most = (before.form.lower(), preposition.form.lower()) == ("up", "to") and number.upos == "NUM"
-        if is_most and preposition.deprel == "case":
+        if is_most and preposition.deprel == "case" and preposition.head in phrases:
             return True
     return False
 
@@ -126,8 +128,15 @@ def _has_phrase_of_no_unit(case: _Case) -> bool:
             for child in tree.children(word.index)
             if child.index in inside and child.deprel == "obl" and prepositions_of(tree, child.index)
         ]
-        if not any("_".join(prepositions_of(tree, phrase)) in DIRECTIONAL for phrase in phrases):
+        directional = [
+            one
+            for one in phrases
+            if "_".join(prepositions_of(tree, one)) in DIRECTIONAL and not is_direction(tree, one)
+        ]
+        if not directional:
             continue
+        # What stands behind may say where all of it is: "brought to the hall *at noon*".
+        phrases = [one for one in phrases if one <= max(directional)]
         clause = clause_of(tree, word.index, tree.subtree(word.index), False)
         readings = read_clause(sentence, clause, match_verbs(tree, clause, case.known), case.known)
         if readings and not any(_takes(reading, phrases) and not reading.wrong_types for reading in readings):
