@@ -31,12 +31,9 @@ KNOWN: Dict[str, str] = {
     "Call this place the workshop.": "the name is read as joined to the place",
     "Say farewell to my mother.": "'farewell' is what is said",
     "Slide the window shut.": "the state is read as a deed of its own",
-    "could you show us the way to the exit": "the way is read as the goal",
     "present Bob to the visitors": "'present' is read as an adjective",
     "push the drawer closed": "the state is read as a part of the drawer",
     "push the gate open": "the state is read as a deed of its own",
-    "show me the way to the bathroom": "the way is read as the goal",
-    "slide the book across the table": "the way is read as a part of the book",
 }
 
 

@@ -215,7 +215,7 @@ def test_what_is_exported_says_the_same(tmp_path):
     assert set(found.relations) <= set(TINY_LABELS.deprel)
     assert (found.heads, found.relations, found.upos) == (recorded.heads, recorded.relations, recorded.upos)
     assert np.allclose(
-        [one[0].probability for one in found.alternatives],
-        [one[0].probability for one in recorded.alternatives],
+        [one[0].probability for one in found.governors],
+        [one[0].probability for one in recorded.governors],
         atol=1e-4,
     )

@@ -9,15 +9,11 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import NamedWord
 
 RECORDING = Path(os.path.realpath(__file__)).parents[2] / "recorded" / "parses.conllu"
-#: Comment of a parse whose tags were given to the models.
-_TAGS_ARE_GIVEN = "# tags = given"
 #: Comment of a parse by the words that units name: the fields of each ``NamedWord``.
 _NAMED_WORDS = "# named words = "
 _HEAD = "# newdoc id = answers of the parser's models; 'make record' writes this file\n"
 
-#: A text, and for a second parse the lemma and the tags that each word was given, or the words that units name;
-#: nothing for a
-#: first parse.
+#: A text, and for a second parse the fields of the words that units name.
 Key = Tuple[str, Tuple[Tuple[str, ...], ...]]
 
 
@@ -34,9 +30,6 @@ class Models(Protocol):
     def parse(self, text: str) -> DependencyTree:
         """Tag and parse a text."""
 
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """Parse words again by their tags."""
-
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         """Parse words again by the words that units name."""
 
@@ -46,28 +39,19 @@ def key_of_text(text: str) -> Key:
     return text, ()
 
 
-def key_of_tags(tree: DependencyTree) -> Key:
-    """Return the key of a second parse."""
-    return tree.text, tuple((word.form, word.lemma, word.upos, word.xpos, word.feats) for word in tree.words)
-
-
 def key_of_named_words(tree: DependencyTree, named: Sequence[NamedWord]) -> Key:
     """Return the key of a parse by the words that units name."""
     return tree.text, tuple(tuple(str(int(field)) for field in one) for one in named)
 
 
 def named_words_of(key: Key) -> Tuple[NamedWord, ...]:
-    """Return the words of a key that units name; none for another key."""
-    if not all(field.isdigit() for one in key[1] for field in one):
-        return ()
+    """Return the words of a key that units name; none for a first parse."""
     words = (tuple(map(int, one)) for one in key[1])
     return tuple(NamedWord(word, length, noun, verb, bool(kind)) for word, length, noun, verb, kind in words)
 
 
 def _key_of_block(block: str, tree: DependencyTree) -> Key:
     for line in block.split("\n"):
-        if line == _TAGS_ARE_GIVEN:
-            return key_of_tags(tree)
         if line.startswith(_NAMED_WORDS):
             return tree.text, tuple(tuple(one.split()) for one in line[len(_NAMED_WORDS) :].split(";"))
     return key_of_text(tree.text)
@@ -94,9 +78,7 @@ def render_recording(parses: Mapping[Key, DependencyTree]) -> str:
         block = to_conllu(parses[key])
         if key[1]:
             text, words = block.split("\n", 1)
-            tree = parses[key]
-            comment = _TAGS_ARE_GIVEN if key == key_of_tags(tree) else _NAMED_WORDS + "; ".join(map(" ".join, key[1]))
-            block = f"{text}\n{comment}\n{words}"
+            block = f"{text}\n{_NAMED_WORDS}{'; '.join(map(' '.join, key[1]))}\n{words}"
         blocks.append(block)
     return _HEAD + "\n".join(blocks)
 
@@ -119,15 +101,6 @@ class RecordedInference:
             NotRecorded: there is none
         """
         return self._recorded(key_of_text(text), "")
-
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """Return the recorded parse of words with given tags.
-
-        Raises:
-            NotRecorded: there is none
-        """
-        tags = " ".join(f"{word.form}/{word.upos}" for word in tree.words)
-        return self._recorded(key_of_tags(tree), f" with the tags {tags}")
 
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         """Return the recorded parse by the words that units name.
@@ -164,13 +137,6 @@ class RecordingInference:
         key = key_of_text(text)
         if key not in self.parses:
             self.parses[key] = self._models.parse(text)
-        return self.parses[key]
-
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """Return the parse of words with given tags, and keep it."""
-        key = key_of_tags(tree)
-        if key not in self.parses:
-            self.parses[key] = self._models.reparse(tree)
         return self.parses[key]
 
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:

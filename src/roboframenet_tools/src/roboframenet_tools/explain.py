@@ -15,6 +15,7 @@ from semantic_framer.dialogue import Context
 from semantic_frames import FileRefused
 from semantic_frames.source_files import read_text
 from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.joint.inference import described
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.trace import TraceLine
 from utterance_passes.tree import DependencyTree
@@ -212,7 +213,9 @@ def describe(understanding: Understanding) -> str:
     lines = [understanding.text.strip(), ""]
     tree = understanding.tree_read or understanding.tree
     if tree is not None:
-        lines += [draw_arcs(tree), "", f"  {'for lexical units':<{_RULE_WIDTH}} {_relations(tree)}", ""]
+        lines += [draw_arcs(tree), "", f"  {'for lexical units':<{_RULE_WIDTH}} {_relations(tree)}"]
+        lines += [f"  {'may hang elsewhere':<{_RULE_WIDTH}} {line}" for line in described(tree)]
+        lines.append("")
     lines += [describe_line(line) for line in understanding.trace]
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))

@@ -3,6 +3,7 @@
 import argparse
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Dict, Iterable, List, Sequence, Tuple
 
 from frame_learning.annotated_commands import CorpusError
@@ -10,9 +11,15 @@ from frame_learning.sentence_lists import SOURCES, sentences_of
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.named_rules import NAMED_RULES
 from offline_pipeline.pipeline import Pipeline, Understanding
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_frames import FileRefused
 from stanford_parser_ros.inference import ModelError
-from utterance_passes.table import NODES
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import FRAMER_TREE_PASSES, NODES
+from utterance_passes.tree import DependencyTree
+from utterance_passes.utterance_pass import TreePass, Uncertain
+from utterance_passes.vocabulary import Vocabulary
 
 EXAMPLES = """examples:
   rfn passes
@@ -21,9 +28,11 @@ EXAMPLES = """examples:
   rfn passes --corpus huric huric-2.1/english --show quotations
   rfn passes --corpus gpsr grammars
   rfn passes --corpus sentences said.txt
+  rfn passes --gold en_ewt-dev.conllu en_ewt-test.conllu
 
 "fires" counts the sentences in which a rule does something; "read otherwise" counts those that have other frames,
-arguments or another reply without it.
+arguments or another reply without it. "changes" counts the trees of a treebank that a pass changes: of right
+trees, only a pass should change some that says what a construction means, or what the robot makes of it.
 
 exit status: 0 listed, 2 wrong usage
 """
@@ -53,6 +62,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("NAME", "PATH"),
         help="; ".join(f"{name}: {what}" for name, what in SOURCES.items()),
     )
+    parser.add_argument(
+        "--gold", nargs="+", metavar="FILE", help="count the trees of treebanks in CoNLL-U that each tree pass changes"
+    )
     parser.add_argument("--all", action="store_true", help="list the rules of the framer, too")
     parser.add_argument(
         "--show", metavar="RULE", help="print each sentence that is understood differently without this rule"
@@ -65,6 +77,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.show is not None and (arguments.show not in NAMED_RULES or not arguments.corpus):
         print("rfn passes: --show needs the name of a rule, and --corpus", file=sys.stderr)
         return 2
+    if arguments.gold:
+        return _print_changed(arguments.gold, arguments.domains or [shipped_domains()])
     if not arguments.corpus:
         for name, (stage, what) in NAMED_RULES.items():
             if arguments.all or name in NODES:
@@ -90,6 +104,46 @@ def run(arguments: argparse.Namespace) -> int:
         for text, with_it, without_it in effect.read_otherwise:
             print(f'\n"{text}"\n  with     {with_it}\n  without  {without_it}')
     return 0
+
+
+def _print_changed(files: Sequence[str], domains: Sequence[str]) -> int:
+    """Print for each tree pass how many trees of some treebanks it changes; return the exit status."""
+    try:
+        trees = [tree for file in files for tree in trees_of(Path(file).read_text(encoding="utf-8"))]
+        knowledge = load_knowledge(domains)
+    except (FileRefused, OSError, ValueError) as error:
+        print(f"rfn passes: {error}", file=sys.stderr)
+        return 2
+    changed = changed_by(trees, FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types))
+    print(f"{len(trees)} trees\n\n{'pass':<24} {'changes':>8}  what it is for")
+    for one in FRAMER_TREE_PASSES:
+        print(f"{one.name:<24} {len(changed[one.name]):>8}  {one.kind.value}")
+    return 0
+
+
+def trees_of(text: str) -> List[DependencyTree]:
+    """Return the trees of a treebank.
+
+    Raises:
+        ValueError: a block is no sentence in CoNLL-U
+    """
+    return [from_conllu(block) for block in text.split("\n\n") if block.strip()]
+
+
+def changed_by(
+    trees: Iterable[DependencyTree], vocabulary: Vocabulary, passes: Sequence[TreePass] = FRAMER_TREE_PASSES
+) -> Dict[str, Tuple[str, ...]]:
+    """Return the texts of the trees that each pass changes by itself; a question to the person counts as a change."""
+    found: Dict[str, List[str]] = {one.name: [] for one in passes}
+    for tree in trees:
+        for one in passes:
+            try:
+                is_changed = run_tree_passes(tree, vocabulary, [one]) != tree
+            except Uncertain:
+                is_changed = True
+            if is_changed:
+                found[one.name].append(tree.text)
+    return {name: tuple(texts) for name, texts in found.items()}
 
 
 def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) -> List[Effect]:

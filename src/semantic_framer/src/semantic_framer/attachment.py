@@ -94,7 +94,9 @@ def places_said(tree: DependencyTree, heads: Iterable[int]) -> List[int]:
 
     def key(index: int) -> Tuple[bool, int]:
         word = tree.word(index)
-        return bool(word.head) and tree.word(word.head).form.lower() in _INDEFINITES, index
+        before = min(tree.subtree(index)) - 1
+        tells = [one for one in (word.head, before) if one and tree.word(one).form.lower() in _INDEFINITES]
+        return bool(tells), index
 
     return sorted(heads, key=key)
 

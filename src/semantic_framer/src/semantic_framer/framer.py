@@ -25,6 +25,7 @@ from semantic_framer.mixed_lists import are_handled_apart, with_items_apart
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.news import told_when, with_end_told
 from semantic_framer.objections import against_what_runs
+from semantic_framer.other_trees import best_of_trees
 from semantic_framer.outcome import (
     CAREFUL,
     CORRECTION,
@@ -130,7 +131,13 @@ def hear(
     if question is not None and is_of_another:
         now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
         context = replace(context, pending=None)
-    heard = _Hearing(now).hear(tree, context)
+    heard = best_of_trees(
+        tree,
+        _Hearing(now).hear(tree, context),
+        context,
+        now,
+        lambda other, lines: _Hearing(replace(now, trace=lines)).hear(other, context),
+    )
     pending = heard.context.pending
     if pending is not None and pending is not question:
         words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""

@@ -101,6 +101,9 @@ class _Builder:
         self._sentence = sentence
         if any(joint.kind is LinkKind.THEN and joint.limit_s for joint in joints):
             raise NoStructure("a longest time belongs to nothing that waits")
+        if len(deeds) < 2 and any(joint.kind is LinkKind.THEN and joint.condition is None for joint in joints):
+            # "Make sure that the door is closed before you go": the second deed is read as a part of the first.
+            raise NoStructure("words that join stand inside one deed")
         kinds = {joint.kind for joint in joints}
         if LinkKind.AT_A_TIME in kinds and not kinds & {LinkKind.UNTIL, LinkKind.WHILE}:
             raise Open('How often? Say it with "until", for instance: "until the table is empty".')

@@ -287,7 +287,7 @@ class SemanticFramer:
             self._end(message.command, outcome=Reply.SUPERSEDED, code="STOPPED", sentence="A stop ended it.")
             return
         try:
-            tree = to_tree(message.command.text, message.words)
+            tree = to_tree(message.command.text, message.words, message.alternatives)
             outcome, trace = self._read(tree, message.command)
         except Exception as error:  # boundary: the command gets its reply even if anything fails here
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)

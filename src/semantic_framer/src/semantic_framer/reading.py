@@ -1,7 +1,7 @@
 """A reading, which is one way to understand a clause, and its rank among the readings."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple, cast
+from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Set, Tuple, cast
 
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -190,6 +190,15 @@ def rank(reading: Reading) -> Rank:
         path=unit.path,
         line=unit.line,
     )
+
+
+def heads_of(readings: Iterable[Reading]) -> FrozenSet[int]:
+    """Return the positions of the verbs of readings, and of the heads of their arguments."""
+    found: Set[int] = set()
+    for reading in readings:
+        found.update(reading.verb_positions)
+        found.update(argument.head_position for argument in reading.arguments)
+    return frozenset(found)
 
 
 def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:

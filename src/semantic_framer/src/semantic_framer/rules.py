@@ -2,7 +2,9 @@
 
 from typing import Mapping
 
+from semantic_framer.other_trees import RULE as OTHER_GOVERNOR
 from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
+from semantic_framer.tree_doubts import DOUBTS
 from semantic_framer.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
 
 #: Verdicts that only say why nothing can be done; without them there would be no reading and no refusal.
@@ -18,6 +20,8 @@ RULES: Mapping[str, str] = {
     "verb_at_the_front": 'A known verb at the front makes a clause where the parser found none: "High five!".',
     "fragment": 'A fragment changes or repeats the last command: "ten feet", "again".',
     "things_asked_for": 'A thing alone is asked for: "the red cup, please".',
+    OTHER_GOVERNOR: "A word hangs on another of its likely governors, where the first shows that it is wrong.",
+    **{name: doubt.reason for name, doubt in DOUBTS.items()},
     "mixed_lists": "The items of a list are done one by one where they are handled in different ways.",
     **{
         verdict.name: verdict.reason

@@ -24,7 +24,7 @@ from utterance_passes.tree import DependencyTree
         "Go to the kitchen, sorry, to the office or to the kitchen.",
     ],
 )
-def test_one_sentence_for_each_utterance(understand: Any, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def test_one_sentence_for_each_tree(understand: Any, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     built: List[DependencyTree] = []
 
     class Counted(Sentence):
@@ -33,6 +33,8 @@ def test_one_sentence_for_each_utterance(understand: Any, monkeypatch: pytest.Mo
             super().__init__(tree, words)
 
     monkeypatch.setattr(framer, "Sentence", Counted)
+    # Other trees of the sentence, which are read where the parser's may be wrong, have sentences of their own.
+    monkeypatch.setattr(framer, "best_of_trees", lambda _tree, heard, *_: heard)
     understand(text)
     assert len(built) <= 1
 

@@ -22,9 +22,10 @@ STANFORD: FrozenSet[str] = frozenset(
 MEASURE = "measure"
 #: Where something is may be said with any preposition of place: this name stands for all of their relations.
 PLACE = "place"
-PREPOSITIONS_OF_PLACE: Tuple[str, ...] = tuple(
-    "in on at near next_to close_to beside by in_front_of behind inside under underneath below beneath over above "
-    "between against on_top_of".split()
+RELATIONS_OF_PLACE: Tuple[str, ...] = tuple(
+    "prep_in prep_on prep_at prep_near prep_next_to prep_close_to prep_beside prep_by prep_in_front_of prep_behind "
+    "prep_inside prep_under prep_underneath prep_below prep_beneath prep_over prep_above prep_between prep_against "
+    "prep_on_top_of".split()
 )
 #: Relations whose name continues with a word of the sentence or with a subtype.
 _OPEN = re.compile(r"^(prep|prepc|conj)_[a-z_]+$|^[a-z]+:[a-z_]+$")

@@ -9,7 +9,7 @@ from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.relation_names import (
     MEASURE,
     PLACE,
-    PREPOSITIONS_OF_PLACE,
+    RELATIONS_OF_PLACE,
     STANFORD,
     UNIVERSAL,
     is_relation_name,
@@ -76,5 +76,5 @@ def _paths(reader: Reader, node: yaml.Node, key: str) -> Tuple[RelationPath, ...
                 did_you_mean(step, known),
             )
     if steps[-1] == PLACE:
-        return tuple(RelationPath((*steps[:-1], f"prep_{preposition}")) for preposition in PREPOSITIONS_OF_PLACE)
+        return tuple(RelationPath((*steps[:-1], relation)) for relation in RELATIONS_OF_PLACE)
     return (RelationPath(steps),)

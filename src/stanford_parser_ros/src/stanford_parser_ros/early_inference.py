@@ -43,10 +43,6 @@ class EarlyInference:
         """See :meth:`Inference.parse`."""
         return self._now.parse(text)
 
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """See :meth:`Inference.reparse`."""
-        return self._now.reparse(tree)
-
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         """See :meth:`Inference.with_named_words`."""
         return self._now.with_named_words(tree, named)

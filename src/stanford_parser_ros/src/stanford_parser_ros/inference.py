@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any, Dict, List, Protocol, Sequence
 
 from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import NamedWord
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
@@ -16,6 +15,8 @@ PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
 JOINT = "joint"
 #: Used where the package has it: official packages do, the shipped one does not.
 CONSTITUENCY = "constituency"
+#: Attribute of a sentence of Stanza: what else its words may hang on, as the joint model says.
+ALTERNATIVES = "alternatives"
 #: Parsed once at start: the first sentence costs several times as much as the others.
 WARM_UP = "Turn left 120 degrees."
 
@@ -34,13 +35,6 @@ class Inference(Protocol):
             text: with at least one letter or digit
         Returns:
             its Universal Dependencies; positions of characters are those of this text
-        """
-
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """Parse the words of a tree again, by the tags and lemmas that they have in it.
-
-        Returns:
-            the tree with other heads and relations
         """
 
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
@@ -165,7 +159,6 @@ class StanzaInference:
 
             torch_done = time.monotonic()
             import stanza
-            from stanza.models.common.doc import Document
         except ImportError as error:
             raise ModelError(
                 f"Stanza is not installed for {sys.executable} ({error}): run 'make stanza' in RoboFrameNet's clone, "
@@ -173,7 +166,6 @@ class StanzaInference:
             ) from error
         torch.set_num_threads(threads)
         self._inference_mode: Any = torch.inference_mode
-        self._document: Any = Document
         stanza_done = time.monotonic()
         processors = processors_of(model_dir, package, threads=threads)
         try:
@@ -205,31 +197,9 @@ class StanzaInference:
         with self._inference_mode():
             return _to_tree(text, self._pipeline(text).sentences[0])
 
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """See :meth:`Inference.reparse`."""
-        document = self._document([[_to_stanza(word) for word in tree.words]])
-        with self._inference_mode():
-            parsed = self._pipeline.processors["depparse"].process(document).sentences[0].words
-        edit = TreeEdit(tree)
-        for word in parsed:
-            edit.rehang(word.id, word.head, word.deprel)
-        return edit.tree()
-
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         """See :meth:`Inference.with_named_words`."""
         return tree
-
-
-def _to_stanza(word: Word) -> Any:
-    """Return a word in the form of Stanza, without head and relation."""
-    return {
-        "id": word.index,
-        "text": word.form,
-        "lemma": word.lemma,
-        "upos": word.upos,
-        "xpos": word.xpos or None,
-        "feats": word.feats or None,
-    }
 
 
 def _to_tree(text: str, sentence: Any) -> DependencyTree:
@@ -256,4 +226,9 @@ def _to_tree(text: str, sentence: Any) -> DependencyTree:
                 )
             )
     constituency = getattr(sentence, CONSTITUENCY, None)
-    return DependencyTree(text=text, words=tuple(words), brackets=str(constituency) if constituency is not None else "")
+    return DependencyTree(
+        text=text,
+        words=tuple(words),
+        brackets=str(constituency) if constituency is not None else "",
+        alternatives=getattr(sentence, ALTERNATIVES, ()),
+    )

@@ -1,13 +1,14 @@
 """Converts parses to messages and back."""
 
-from typing import List
+from typing import List, Sequence
 
 from roboframenet_msgs.msg import Command, CommandParse
+from stanford_parser_msgs.msg import Alternative as AlternativeMessage
 from stanford_parser_msgs.msg import Dependency, Parse, SquashedParseTreeNode, UniversalWord
 
 from stanford_parser_ros.phrase_tree import constant_of_tag, phrase_tree, squash
 from stanford_parser_ros.stanford_dependencies import collapsed
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import Alternative, DependencyTree, Word
 
 
 def to_command_parse(command: Command, tree: DependencyTree) -> CommandParse:
@@ -29,6 +30,10 @@ def to_command_parse(command: Command, tree: DependencyTree) -> CommandParse:
                 end_character=word.end_character,
             )
             for word in tree.words
+        ],
+        alternatives=[
+            AlternativeMessage(word=one.word, head=one.head, deprel=one.deprel, probability=one.probability)
+            for one in tree.alternatives
         ],
     )
 
@@ -56,8 +61,8 @@ def to_parse(tree: DependencyTree) -> Parse:
     )
 
 
-def to_tree(text: str, words: List[UniversalWord]) -> DependencyTree:
-    """Return the tree of a message."""
+def to_tree(text: str, words: List[UniversalWord], alternatives: Sequence[AlternativeMessage] = ()) -> DependencyTree:
+    """Return the tree of a message, with what else its words may hang on."""
     return DependencyTree(
         text=text,
         words=tuple(
@@ -75,4 +80,5 @@ def to_tree(text: str, words: List[UniversalWord]) -> DependencyTree:
             )
             for word in words
         ),
+        alternatives=tuple(Alternative(one.word, one.head, one.deprel, one.probability) for one in alternatives),
     )

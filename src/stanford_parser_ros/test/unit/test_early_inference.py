@@ -25,9 +25,6 @@ class Says:
     def parse(self, text: str) -> DependencyTree:
         return DependencyTree(text=self._name, words=())
 
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        return self.parse(tree.text)
-
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         return self.parse(tree.text)
 
@@ -48,7 +45,6 @@ def test_the_second_runtime_answers_once_it_is_loaded() -> None:
     may_load.set()
     wait_until(lambda: bool(times))
     assert early.parse("Turn.").text == "second"
-    assert early.reparse(early.parse("Turn.")).text == "second"
     assert early.with_named_words(early.parse("Turn."), ()).text == "second"
 
 

@@ -11,12 +11,12 @@ import pytest
 
 from stanford_parser_ros.checked_folder import MANIFEST
 from stanford_parser_ros.inference import ModelError, shipped_model_dir
-from stanford_parser_ros.joint.inference import Reading, described
+from stanford_parser_ros.joint.inference import described
 from stanford_parser_ros.joint.model_folder import NETWORK, PIECES, read_joint_folder
-from stanford_parser_ros.joint.network import MOST_PIECES, Alternative, JointNetwork, pool
+from stanford_parser_ros.joint.network import MOST_PIECES, Governor, JointNetwork, pool
 from stanford_parser_ros.joint.pieces import SHAPES, PieceVocabulary, shape
 from stanford_parser_ros.joint.windows import windows
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import Alternative, DependencyTree, Word
 
 #: A network of few weights that knows nothing; ``training/joint_parser/tiny.py`` makes it.
 TINY = Path(__file__).parent / "joint_tiny"
@@ -119,13 +119,13 @@ def test_a_sentence_without_words_is_an_error(network: JointNetwork) -> None:
 
 def test_other_governors_have_their_probability(network: JointNetwork) -> None:
     found = network.analyse("bring the mug to the table .".split())
-    for head, relation, governors in zip(found.heads, found.relations, found.alternatives):
+    for head, relation, governors in zip(found.heads, found.relations, found.governors):
         assert (head, relation) == (governors[0].head, governors[0].relation)
         shares = [one.probability for one in governors]
         assert shares[1:] == sorted(shares[1:], reverse=True)
         assert 0.0 < sum(shares) <= 1.0 + 1e-6
         assert len({one.head for one in governors}) == len(governors)
-    assert any(len(governors) > 1 for governors in found.alternatives)
+    assert any(len(governors) > 1 for governors in found.governors)
 
 
 def test_the_same_sentence_has_the_same_analysis(network: JointNetwork) -> None:
@@ -138,12 +138,10 @@ def word(index: int, form: str, head: int, deprel: str) -> Word:
 
 
 def test_described_names_the_words_that_may_hang_elsewhere() -> None:
-    tree = DependencyTree("put it", (word(1, "put", 0, "root"), word(2, "it", 1, "obj")))
-    governors = (
-        (Alternative(0, "root", 0.98),),
-        (Alternative(1, "obj", 0.7), Alternative(0, "root", 0.26), Alternative(2, "dep", 0.04)),
-    )
-    assert described(Reading(tree, governors)) == ("it: obj of put 70%, root 26%",)
+    words = (word(1, "put", 0, "root"), word(2, "it", 1, "obj"))
+    others = (Alternative(2, 0, "root", 0.26), Alternative(2, 2, "dep", 0.04))
+    tree = DependencyTree("put it", words, alternatives=others)
+    assert described(tree) == ("it: obj of put; or root, 26%",)
 
 
 def test_a_file_that_was_cut_is_one_clear_error(folder: Path) -> None:
@@ -207,4 +205,4 @@ def test_the_variant_of_stanza_gives_the_same_trees(network: JointNetwork) -> No
 
 
 def test_a_word_alone_is_the_root_for_certain(network: JointNetwork) -> None:
-    assert network.analyse(["go"]).alternatives == ((Alternative(0, "root", 1.0),),)
+    assert network.analyse(["go"]).governors == ((Governor(0, "root", 1.0),),)

@@ -23,9 +23,6 @@ class Models:
         self.texts.append(text)
         raise Asked
 
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        raise AssertionError("nothing was parsed")
-
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         raise AssertionError("nothing was parsed")
 

@@ -195,8 +195,7 @@ def answer(models: Inference, key: Key, tree: DependencyTree) -> DependencyTree:
     """Return what the models say to the question of a recorded parse."""
     if key == key_of_text(tree.text):
         return models.parse(tree.text)
-    named = named_words_of(key)
-    return models.with_named_words(tree, named) if named else models.reparse(tree)
+    return models.with_named_words(tree, named_words_of(key))
 
 
 def share_of_others(models: Inference, recorded: Dict[Key, DependencyTree]) -> float:
@@ -224,8 +223,9 @@ def test_all_recorded_parses_are_what_the_models_say(
 def test_odd_texts_get_the_same_trees_from_stanza(models: JointInference, stanza_models: StanzaInference) -> None:
     for text in ODD_TEXTS:
         tree = stanza_models.parse(text)
-        assert models.parse(text) == tree, text
-        assert models.reparse(tree) == stanza_models.reparse(tree), text
+        found = models.parse(text)
+        assert found == tree, text
+        assert [one[:3] for one in found.alternatives] == [one[:3] for one in tree.alternatives], text
 
 
 def test_a_sample_of_the_recorded_texts_gets_the_same_trees_from_stanza(
@@ -235,18 +235,19 @@ def test_a_sample_of_the_recorded_texts_gets_the_same_trees_from_stanza(
     assert [text for text in texts if models.parse(text) != stanza_models.parse(text)] == []
 
 
-def test_a_reading_has_words_lemmas_and_governors(models: JointInference) -> None:
+def test_a_tree_has_words_lemmas_and_what_else_they_may_hang_on(models: JointInference) -> None:
     text = "Don't bring the mugs."
-    reading = models.read(text)
-    assert [one.form for one in reading.tree.words] == ["Do", "n't", "bring", "the", "mugs", "."]
-    assert [text[one.start_character : one.end_character] for one in reading.tree.words][2:] == [
+    tree = models.parse(text)
+    assert [one.form for one in tree.words] == ["Do", "n't", "bring", "the", "mugs", "."]
+    assert [text[one.start_character : one.end_character] for one in tree.words][2:] == [
         "bring",
         "the",
         "mugs",
         ".",
     ]
-    assert len(reading.governors) == len(reading.tree.words)
-    assert models.parse(text) == reading.tree == models.reparse(reading.tree)
+    others = models.parse("Bring the cup to me and the fork.").alternatives
+    (cup,) = [one for one in others if one.word == 8 and one.head == 3]
+    assert cup.deprel == "conj" and 0.02 < cup.probability < 0.5
 
 
 def test_a_word_that_a_unit_names_is_what_the_unit_says_and_what_the_network_thinks_is_told() -> None:
@@ -256,6 +257,6 @@ def test_a_word_that_a_unit_names_is_what_the_unit_says_and_what_the_network_thi
     assert (behind.heads, behind.relations) == ((0, 4, 4, 1, 1), ("root", "case", "det", "obl", "punct"))
     assert behind.upos == ("VERB", "ADP", "DET", "NOUN", "PUNCT")
     assert (before.heads[1], before.relations[1]) != (4, "case")
-    assert behind.alternatives[1][0][:2] == (4, "case")
-    assert before.alternatives[1][0] in behind.alternatives[1]
-    assert behind.alternatives[1][0].probability < before.alternatives[1][0].probability
+    assert behind.governors[1][0][:2] == (4, "case")
+    assert before.governors[1][0] in behind.governors[1]
+    assert behind.governors[1][0].probability < before.governors[1][0].probability

@@ -4,10 +4,12 @@ import re
 from dataclasses import replace
 from typing import List, Tuple
 
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import Alternative, DependencyTree, Word
 
 #: The place of a word in the text: its first character, and one past its last.
 _PLACE = re.compile(r"start_char=(\d+)\|end_char=(\d+)")
+#: Another governor of the word, its probability, and the relation to it.
+_ALTERNATIVE = re.compile(r"alternative=(\d+):(\d\.\d+):([^|\s]+)")
 
 
 def from_conllu(text: str) -> DependencyTree:
@@ -19,7 +21,7 @@ def from_conllu(text: str) -> DependencyTree:
     Returns:
         the tree. A comment ``# text = `` gives its text; without one, the text is the words joined by blanks. The last
         column gives the positions of characters (``start_char=0|end_char=4``); a word without them comes next in the
-        text
+        text. It also gives what else the word may hang on (``alternative=3:0.21:obl``: governor, probability, relation)
     Raises:
         ValueError: a line has too few columns, or a head is not a number
     """
@@ -52,12 +54,15 @@ def from_conllu(text: str) -> DependencyTree:
         places.append(columns[9] if len(columns) > 9 else "_")
     text = sentence or " ".join(word.form for word in words)
     at = 0
+    alternatives: List[Alternative] = []
     for number, (word, place) in enumerate(zip(words, places)):
+        for head, probability, relation in _ALTERNATIVE.findall(place):
+            alternatives.append(Alternative(word.index, int(head), relation, float(probability)))
         given = _PLACE.search(place)
         start, end = map(int, given.groups()) if given else _next_place(text, word.form, at)
         words[number] = replace(word, start_character=start, end_character=end)
         at = max(at, end)
-    return DependencyTree(text=text, words=tuple(words))
+    return DependencyTree(text=text, words=tuple(words), alternatives=tuple(alternatives))
 
 
 def _next_place(text: str, form: str, at: int) -> Tuple[int, int]:
@@ -67,13 +72,22 @@ def _next_place(text: str, form: str, at: int) -> Tuple[int, int]:
 
 
 def to_conllu(tree: DependencyTree) -> str:
-    """Write one sentence, with its text as a comment; write the place of a word only if the text does not show it."""
+    """Write one sentence, with its text as a comment; write the place of a word only if the text does not show it.
+
+    What else a word may hang on is written as well.
+    """
     lines = [f"# text = {tree.text}"]
     at = 0
     for word in tree.words:
         start, end = word.start_character, word.end_character
         is_told = (start, end) == _next_place(tree.text, word.form, at)
         at = max(at, end)
+        last = [] if is_told else [f"start_char={start}|end_char={end}"]
+        last += [
+            f"alternative={one.head}:{one.probability:.2f}:{one.deprel}"
+            for one in tree.alternatives
+            if one.word == word.index
+        ]
         lines.append(
             "\t".join(
                 [
@@ -86,7 +100,7 @@ def to_conllu(tree: DependencyTree) -> str:
                     str(word.head),
                     word.deprel,
                     "_",
-                    "_" if is_told else f"start_char={start}|end_char={end}",
+                    "|".join(last) or "_",
                 ]
             )
         )

@@ -1,8 +1,8 @@
 """Values for a parsed sentence: words and their Universal Dependencies (v2)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Dict, FrozenSet, Iterable, List, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, NamedTuple, Set, Tuple
 
 from utterance_passes.formula_file import is_filler
 
@@ -46,6 +46,22 @@ class Word:
     end_character: int = 0
 
 
+class Alternative(NamedTuple):
+    """Another governor that a word may have.
+
+    Attributes:
+        word: position of the word
+        head: position of the governor; 0 for the root
+        deprel: universal relation to it
+        probability: of both, as the parser says
+    """
+
+    word: int
+    head: int
+    deprel: str
+    probability: float
+
+
 @dataclass(frozen=True)
 class DependencyTree:
     """A sentence and its Universal Dependencies. Only ``tree_edits`` derives one tree from another.
@@ -58,6 +74,8 @@ class DependencyTree:
         sharing_a_verb: heads of phrases that share the verb of the phrase before; the pass ``shared_verbs`` marks them
         clusters: verb and heads of each group of phrases that forms a separate clause; the pass ``argument_clusters``
             marks them
+        alternatives: what else each word may hang on, as the parser says, for the words of its tree; trees are equal
+            whatever else they might have been
     """
 
     text: str
@@ -66,6 +84,7 @@ class DependencyTree:
     times: Tuple[FrozenSet[int], ...] = ()
     sharing_a_verb: FrozenSet[int] = frozenset()
     clusters: Tuple[Tuple[int, FrozenSet[int]], ...] = ()
+    alternatives: Tuple[Alternative, ...] = field(default=(), compare=False)
 
     def word(self, index: int) -> Word:
         """Return the word at a position, from 1.

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import AbstractSet, Callable, FrozenSet, List, Optional, Sequence, Tuple, Union
 
-from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree import ASIDE, Alternative, DependencyTree, Word
 
 
 class NotATree(ValueError):
@@ -196,7 +196,12 @@ def with_words_around(
         else _hanging_on(root, position, word)
         for position, word in enumerate(ordered, start=1)
     )
-    return DependencyTree(text=text, words=words)
+    alternatives = tuple(
+        one._replace(word=moved[one.word], head=moved.get(one.head, 0))
+        for one in tree.alternatives
+        if one.word in moved and (one.head in moved or not one.head)
+    )
+    return DependencyTree(text=text, words=words, alternatives=alternatives)
 
 
 def _hanging_on(root: int, position: int, word: WordAround) -> Word:
@@ -217,16 +222,20 @@ def _hanging_on(root: int, position: int, word: WordAround) -> Word:
 def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
     """Join the trees of the parts of an utterance; the other parts become parataxis of the first."""
     words: List[Word] = []
+    alternatives: List[Alternative] = []
     first = 0
     for tree in trees:
         shift = len(words)
+        alternatives += [
+            one._replace(word=one.word + shift, head=one.head + shift if one.head else 0) for one in tree.alternatives
+        ]
         for word in tree.words:
             is_beside = bool(first) and not word.head
             head = word.head + shift if word.head else first
             deprel = "parataxis" if is_beside else word.deprel
             words.append(replace(word, index=word.index + shift, head=head, deprel=deprel))
         first = first or next(word.index for word in words if word.head == 0)
-    return DependencyTree(text=text, words=tuple(words))
+    return DependencyTree(text=text, words=tuple(words), alternatives=tuple(alternatives))
 
 
 def said_after(tree: DependencyTree, answer: DependencyTree) -> DependencyTree:

@@ -1,27 +1,13 @@
 """The joint model as a runtime: words and lemmas, tags and dependencies, all in ONNX Runtime."""
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional, Sequence, Tuple
 
 from stanford_parser_ros.inference import JOINT, WARM_UP, check_is_folder
-from stanford_parser_ros.joint.network import Alternative, JointNetwork
+from stanford_parser_ros.joint.network import JointNetwork, alternatives_of
 from stanford_parser_ros.words.words import FOLDER, Words
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import NamedWord
-
-
-@dataclass(frozen=True)
-class Reading:
-    """What the models say of a text.
-
-    Attributes:
-        tree: the likeliest
-        governors: of each word, with their probability: that of the tree, then the others, the likeliest first
-    """
-
-    tree: DependencyTree
-    governors: Tuple[Tuple[Alternative, ...], ...]
 
 
 class JointInference:
@@ -46,20 +32,12 @@ class JointInference:
 
     def parse(self, text: str) -> DependencyTree:
         """See :meth:`stanford_parser_ros.inference.Inference.parse`."""
-        return self.read(text).tree
-
-    def read(self, text: str) -> Reading:
-        """Parse a text as one sentence, and keep what else each of its words may hang on.
-
-        Args:
-            text: with at least one letter or digit
-        """
         forms, spans = self._words.split(text)
-        return self._reading(text, forms, spans)
+        return self._tree(text, forms, spans)
 
-    def _reading(
+    def _tree(
         self, text: str, forms: Sequence[str], spans: Sequence[Tuple[int, int]], named: Sequence[NamedWord] = ()
-    ) -> Reading:
+    ) -> DependencyTree:
         found = self._network.analyse(forms, named)
         lemmas = self._words.lemmas(forms, found.upos)
         words = tuple(
@@ -77,32 +55,29 @@ class JointInference:
             )
             for number, form in enumerate(forms)
         )
-        return Reading(DependencyTree(text=text, words=words), found.alternatives)
+        return DependencyTree(text=text, words=words, alternatives=alternatives_of(found))
 
     def with_named_words(self, tree: DependencyTree, named: Sequence[NamedWord]) -> DependencyTree:
         """See :meth:`stanford_parser_ros.inference.Inference.with_named_words`."""
         spans = [(word.start_character, word.end_character) for word in tree.words]
-        return self._reading(tree.text, [word.form for word in tree.words], spans, named).tree
-
-    def reparse(self, tree: DependencyTree) -> DependencyTree:
-        """See :meth:`stanford_parser_ros.inference.Inference.reparse`."""
-        return tree
+        return self._tree(tree.text, [word.form for word in tree.words], spans, named)
 
 
-def described(reading: Reading, least: float = 0.05) -> Tuple[str, ...]:
-    """Return a line for each word that may hang elsewhere: "stove: obl of put 81 %, nmod of left 17 %".
+def described(tree: DependencyTree, least: float = 0.05) -> Tuple[str, ...]:
+    """Return a line for each word that may hang elsewhere: "stove: obl of put; or nmod of left, 17%".
 
     Args:
-        reading: of a text
+        tree: of a text
         least: probability of a governor that is told
     """
     lines = []
-    for word, governors in zip(reading.tree.words, reading.governors):
-        told = [one for one in governors if one.probability >= least]
-        if len(told) > 1:
-            names = [
-                f"{one.relation}{f' of {reading.tree.word(one.head).form}' if one.head else ''} {one.probability:.0%}"
-                for one in told
-            ]
-            lines.append(f"{word.form}: {', '.join(names)}")
+    for word in tree.words:
+        told = [one for one in tree.alternatives if one.word == word.index and one.probability >= least]
+        if told:
+            others = ", ".join(f"{_hanging(tree, one.head, one.deprel)}, {one.probability:.0%}" for one in told)
+            lines.append(f"{word.form}: {_hanging(tree, word.head, word.deprel)}; or {others}")
     return tuple(lines)
+
+
+def _hanging(tree: DependencyTree, head: int, relation: str) -> str:
+    return f"{relation} of {tree.word(head).form}" if head else relation

@@ -11,6 +11,7 @@ from stanford_parser_ros.joint.pieces import Pieces, PieceVocabulary
 from stanford_parser_ros.joint.spanning_tree import heads_of_best_tree
 from stanford_parser_ros.joint.windows import Window, windows
 from stanford_parser_ros.onnx_session import onnx_session
+from utterance_passes.tree import Alternative
 from utterance_passes.vocabulary import NamedWord
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ _NEVER = -1e4
 _UNLIKELY = 20.0
 
 
-class Alternative(NamedTuple):
+class Governor(NamedTuple):
     """A governor of a word.
 
     Attributes:
@@ -55,7 +56,7 @@ class Analysis(NamedTuple):
         upos, xpos, feats: tags of each word; "_" is none
         heads: governor of each word, from 1; 0 for the root
         relations: to the governor
-        alternatives: governors of each word with their probability: the chosen one, then others, likeliest first
+        governors: of each word, with their probability: the chosen one, then others, likeliest first
     """
 
     upos: Tuple[str, ...]
@@ -63,7 +64,7 @@ class Analysis(NamedTuple):
     feats: Tuple[str, ...]
     heads: Tuple[int, ...]
     relations: Tuple[str, ...]
-    alternatives: Tuple[Tuple[Alternative, ...], ...]
+    governors: Tuple[Tuple[Governor, ...], ...]
 
 
 class JointNetwork:
@@ -145,9 +146,9 @@ class JointNetwork:
         heads = heads_of_best_tree(given.logs)[1:]
         for position, (upos, xpos) in given.tags.items():
             tags["upos"][position - 1], tags["xpos"][position - 1], tags["feats"][position - 1] = upos, xpos, "_"
-        alternatives = self._governors(heads, given.relations, square[1:], parts, places, scores)
+        governors = self._governors(heads, given.relations, square[1:], parts, places, scores)
         relations = tuple(
-            next(one.relation for one in governors if one.head == head) for head, governors in zip(heads, alternatives)
+            next(one.relation for one in likely if one.head == head) for head, likely in zip(heads, governors)
         )
         return Analysis(
             tuple(tags["upos"]),
@@ -155,7 +156,7 @@ class JointNetwork:
             tuple(tags["feats"]),
             tuple(heads),
             relations,
-            tuple(alternatives),
+            tuple(governors),
         )
 
     def _taken_back(self, relations: "Floats") -> "NDArray[np.bool_]":
@@ -172,7 +173,7 @@ class JointNetwork:
         parts: Sequence[Window],
         places: Sequence[Tuple[int, int]],
         scores: Sequence[Dict[str, "Floats"]],
-    ) -> List[Tuple[Alternative, ...]]:
+    ) -> List[Tuple[Governor, ...]]:
         """Return the governors of each word: the chosen one, then the others that are likely, the likeliest first.
 
         Args:
@@ -203,14 +204,21 @@ class JointNetwork:
         is_root = np.array(governors) == 0
         best[is_root], shares[is_root] = self._root, 1.0
         chances = np.exp(logs[words, governors]) / shares
-        found: List[List[Alternative]] = [[] for _ in heads]
+        found: List[List[Governor]] = [[] for _ in heads]
         for word, head, label, chance in zip(words, governors, best.tolist(), chances.tolist()):
             if chance >= LEAST_PROBABILITY or head == heads[word]:
-                found[word].append(Alternative(head, self._labels["deprel"][label], chance))
+                found[word].append(Governor(head, self._labels["deprel"][label], chance))
         return [
             tuple(sorted(each, key=lambda one: (one.head != head, -one.probability))[:MOST_ALTERNATIVES])
             for head, each in zip(heads, found)
         ]
+
+
+def alternatives_of(found: Analysis) -> Tuple[Alternative, ...]:
+    """Return what else each word may hang on, as a tree has it."""
+    return tuple(
+        Alternative(word, *one) for word, governors in enumerate(found.governors, start=1) for one in governors[1:]
+    )
 
 
 def pool(pieces: Pieces) -> "Floats":

@@ -3,7 +3,8 @@
 from pathlib import Path
 from typing import Any, Dict
 
-from stanford_parser_ros.joint.network import JointNetwork
+from stanford_parser_ros.inference import ALTERNATIVES
+from stanford_parser_ros.joint.network import JointNetwork, alternatives_of
 
 NAME = "joint"
 
@@ -40,10 +41,11 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
                     word.upos, word.xpos = found.upos[number], found.xpos[number]
                     word.feats = None if found.feats[number] == "_" else found.feats[number]
                     word.head, word.deprel = found.heads[number], found.relations[number]
+                setattr(sentence, ALTERNATIVES, alternatives_of(found))
             return document
 
     class Dependencies(ProcessorVariant):  # type: ignore[misc]
-        """Makes Stanza's list of dependencies of the heads, which it finds for tags that were given."""
+        """Makes Stanza's list of dependencies of the heads."""
 
         OVERRIDE = True
 
@@ -53,10 +55,6 @@ def register(folder: Path, *, threads: int = 1) -> Dict[str, str]:
         def process(self, document: Any) -> Any:
             """Complete the sentences of a document."""
             for sentence in document.sentences:
-                if any(word.head is None for word in sentence.words):
-                    found = network.analyse([word.text for word in sentence.words])
-                    for word, head, relation in zip(sentence.words, found.heads, found.relations):
-                        word.head, word.deprel = head, relation
                 sentence.build_dependencies()
             return document
 
