@@ -15,10 +15,10 @@ _ATTRIBUTE = re.compile(r"(?m)^(\w+(?:, \w+)*): ")
 def classes_of(package: Path) -> List[Type[Parameters]]:
     """Return the classes of a package that declare parameters; imports their modules."""
     found: List[Type[Parameters]] = []
-    for path in sorted((package / "src" / package.name).glob("*.py")):
+    for path in sorted((package / "src" / package.name).glob("**/*.py")):
         names = _CLASS.findall(path.read_text(encoding="utf-8"))
         if names:
-            module = importlib.import_module(f"{package.name}.{path.stem}")
+            module = importlib.import_module(".".join(path.relative_to(package / "src").with_suffix("").parts))
             found += [getattr(module, name) for name in names]
     return found
 

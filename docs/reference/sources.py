@@ -13,7 +13,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from parameters import classes_of, table_of
 
-REPOSITORY = Path(__file__).resolve().parents[2]
+from roboframenet_testing.workspace import packages
+
 #: Folders of definitions, and what they hold.
 KINDS = {"msg": "Messages", "srv": "Services", "action": "Actions"}
 
@@ -62,7 +63,7 @@ def page_of(package: Path) -> str:
 
 def pages() -> Dict[str, str]:
     """Return the text of each page by its name."""
-    found = {path.parent.name: page_of(path.parent) for path in sorted(REPOSITORY.glob("src/*/package.xml"))}
+    found = {name: page_of(folder) for name, folder in packages().items()}
     return {name: text for name, text in found.items() if text}
 
 

@@ -15,6 +15,8 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any, Dict, FrozenSet, List, Sequence, Tuple
 
+from roboframenet_testing.workspace import packages
+
 from .demand import SUITE, Demand, Figure, Trial, none_of
 
 _ROOT = Path(__file__).resolve().parents[2]
@@ -89,12 +91,9 @@ class Mutants(Demand):
     def running(self) -> "AbstractContextManager[object]":
         """Find the modules."""
         self._modules = [
-            (package, _ROOT / "src" / package / "src" / package / f"{module}.py", tests)
+            (package, next(packages()[package].glob(f"src/**/{module}.py")), tests)
             for package, module, tests in self._MODULES
         ]
-        missing = [str(path) for _, path, _ in self._modules if not path.exists()]
-        if missing:
-            raise SystemExit(f"no such modules: {', '.join(missing)}")
         # Each place counts alike, so that a small module does not give the same mutant again and again.
         self._weights = [len(_places(path.read_text(encoding="utf-8"))) for _, path, _ in self._modules]
         for package, path, tests in {module[0]: module for module in self._modules}.values():
@@ -114,10 +113,11 @@ class Mutants(Demand):
         """Whether tests fail when a module has this text."""
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder) / package
-            shutil.copytree(path.parent, copy)
-            (copy / path.name).write_text(text, encoding="utf-8")
+            source = packages()[package] / "src" / package
+            shutil.copytree(source, copy)
+            (copy / path.relative_to(source)).write_text(text, encoding="utf-8")
             environment = dict(os.environ, PYTHONPATH=os.pathsep.join((folder, os.environ.get("PYTHONPATH", ""))))
-            folders = [str(_ROOT / "src" / name / "test" / "unit") for name in tests]
+            folders = [str(packages()[name] / "test" / "unit") for name in tests]
             command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *folders]
             try:
                 status = subprocess.run(

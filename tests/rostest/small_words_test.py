@@ -9,7 +9,6 @@ import math
 import random
 import unittest
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Dict, List, Tuple
 
 import rospy
@@ -23,8 +22,9 @@ from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
+from roboframenet_testing.workspace import package
 
-PAIRS = Path(__file__).resolve().parents[2] / "src" / "offline_pipeline" / "test" / "unit" / "small_words.tsv"
+PAIRS = package("offline_pipeline") / "test" / "unit" / "small_words.tsv"
 #: A server that could carry the sentence out is missing: this says nothing about the small word.
 ABOUT_SERVERS = "NO_SERVER"
 #: Of the sample.

@@ -8,7 +8,9 @@ from typing import Dict, List
 
 import pytest
 
-RFN = Path(__file__).resolve().parents[2] / "src" / "roboframenet_tools" / "nodes" / "rfn"
+from roboframenet_testing.workspace import package
+
+RFN = package("roboframenet_tools") / "nodes" / "rfn"
 FIVE_FOLDS = ["--folds", "5"]
 
 

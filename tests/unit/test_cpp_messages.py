@@ -1,14 +1,13 @@
 """The messages have C++ headers that compile: a program in C++ can be a client of the action ``command``."""
 
-import os
 import re
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 
-REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
+from roboframenet_testing.workspace import REPOSITORY, packages
+
 INCLUDE = REPOSITORY / "devel" / "include"
 PACKAGES = ("roboframenet_msgs", "stanford_parser_msgs")
 #: A message of 2012 has a field "default", which is a keyword of C++; and its sum must not change.
@@ -17,7 +16,7 @@ NOT_FOR_CPP = ("EmptyFrameElement.h", "EmptySemanticFrame.h", "GetEmptyFrame.h",
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_headers_compile(package: str) -> None:
-    messages = [path.stem for path in (REPOSITORY / "src" / package).glob("msg/*.msg")]
+    messages = [path.stem for path in packages()[package].glob("msg/*.msg")]
     paths = sorted((INCLUDE / package).glob("*.h"))
     assert set(messages) <= {path.stem for path in paths}
     headers = [path.relative_to(INCLUDE) for path in paths if path.name not in NOT_FOR_CPP]

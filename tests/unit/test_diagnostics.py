@@ -6,10 +6,11 @@ from typing import Set
 
 import pytest
 
-REPOSITORY = Path(__file__).resolve().parents[2]
+from roboframenet_testing.workspace import module_and_rest, packages
+
 #: Programs that a person starts, and that end by themselves.
 NO_NODES = {"rfn", "roboframenet_demo"}
-PROGRAMS = [path for path in sorted(REPOSITORY.glob("src/*/nodes/*")) if path.name not in NO_NODES]
+PROGRAMS = [path for one in packages().values() for path in sorted(one.glob("nodes/*")) if path.name not in NO_NODES]
 
 
 def calls_in(path: Path) -> Set[str]:
@@ -25,6 +26,6 @@ def test_node_says_how_it_is(program: Path) -> None:
         for node in ast.parse(program.read_text(encoding="utf-8")).body
         if isinstance(node, ast.ImportFrom) and [alias.name for alias in node.names] == ["main"]
     ]
-    package, module = str(line.module).split(".")
-    calls = calls_in(REPOSITORY / "src" / package / "src" / package / f"{module}.py")
+    path, _ = module_and_rest(str(line.module))
+    calls = calls_in(path)
     assert calls & {"run_node", "run_stage", "run_stages"}

@@ -8,8 +8,9 @@ from typing import Dict, List, Set, Tuple
 
 import pytest
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
+from roboframenet_testing.workspace import REPOSITORY, module_and_rest, module_name, modules, package, packages
+
+PACKAGES = list(packages().values())
 WITH_CODE = [package for package in PACKAGES if list(package.glob("src/*/*.py"))]
 
 
@@ -22,10 +23,10 @@ def tree_of(path: Path) -> ast.Module:
 def declared_parameters() -> Dict[str, Set[str]]:
     """Return the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
     found: Dict[str, Set[str]] = {}
-    for path in REPOSITORY.glob("src/*/src/*/*.py"):
+    for module, path in modules().items():
         for node in ast.walk(tree_of(path)):
             if isinstance(node, ast.ClassDef) and any(getattr(base, "id", "") == "Parameters" for base in node.bases):
-                found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
+                found[f"{module}.{node.name}"] = {
                     f"~{field.target.id}"
                     for field in node.body
                     if isinstance(field, ast.AnnAssign)
@@ -56,7 +57,7 @@ def parameters_read_by_class(path: Path) -> Set[str]:
             and not any(is_prefix_of_another_node(keyword) for keyword in node.keywords)
         ):
             kind = getattr(node.args[0], "id", "")
-            names |= DECLARED[origins.get(kind, f"{path.parent.name}.{path.stem}.{kind}")]
+            names |= DECLARED[origins.get(kind, f"{module_name(path)}.{kind}")]
     return names
 
 
@@ -117,9 +118,9 @@ def test_readme_lists_no_removed_parameter(package: Path) -> None:
 
 
 def test_parameters_of_a_class_are_found() -> None:
-    found = parameters_in_code(REPOSITORY / "src" / "executor")
+    found = parameters_in_code(package("executor"))
     assert {"~acceptance_timeout_s", "~max_clients", "~introspection"} <= found
-    assert "~zero_velocity_rate_hz" in parameters_in_code(REPOSITORY / "src" / "stop_server")
+    assert "~zero_velocity_rate_hz" in parameters_in_code(package("stop_server"))
 
 
 #: Calls that open a topic, a service or an action; their first literal argument is its name.
@@ -155,31 +156,33 @@ def is_internal(name: str) -> bool:
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.name)
 def test_table_of_packages_names_the_package(package: Path) -> None:
-    assert f"src/{package.name})" in (REPOSITORY / "docs" / "packages.md").read_text(encoding="utf-8")
+    assert f"(../{package.relative_to(REPOSITORY)})" in (REPOSITORY / "docs" / "packages.md").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_metapackage_depends_on_all_packages() -> None:
-    text = (REPOSITORY / "src" / "roboframenet" / "package.xml").read_text(encoding="utf-8")
+    text = (package("roboframenet") / "package.xml").read_text(encoding="utf-8")
     wanted = {package.name for package in PACKAGES} - {"roboframenet", "roboframenet_testing"}
     assert set(re.findall(r"<exec_depend>(\w+)<", text)) == wanted
 
 
 def test_packages_have_one_version_and_an_author() -> None:
-    texts = [path.read_text(encoding="utf-8") for path in REPOSITORY.glob("*/*/package.xml")]
+    texts = [
+        (path / "package.xml").read_text(encoding="utf-8") for path in packages("src", "underlay", "tests").values()
+    ]
     (version,) = {found for text in texts for found in re.findall(r"<version>(.*)</version>", text)}
     assert f"version: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(encoding="utf-8")
     assert all("<author>" in text and "<url" in text for text in texts)
 
 
-@pytest.mark.parametrize(
-    "package", [path.parent for path in REPOSITORY.glob("*/*/package.xml")], ids=lambda package: package.name
-)
+@pytest.mark.parametrize("package", list(packages("src", "underlay").values()), ids=lambda package: package.name)
 def test_package_has_a_changelog(package: Path) -> None:
     text = (package / "CHANGELOG.rst").read_text(encoding="utf-8")
     assert "Forthcoming\n-----------" in text and f"Changelog for package {package.name}" in text
 
 
-PAGES = [path for pattern in ("*.md", "docs/**/*.md", "src/*/README.md") for path in REPOSITORY.glob(pattern)]
+PAGES = [path for pattern in ("*.md", "docs/**/*.md", "src/**/README.md") for path in REPOSITORY.glob(pattern)]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(REPOSITORY)))
@@ -188,7 +191,7 @@ def test_links_of_a_page_exist(page: Path) -> None:
     assert not [link for link in links if not (page.parent / link).exists()]
 
 
-MESSAGES = REPOSITORY / "src" / "roboframenet_msgs"
+MESSAGES = package("roboframenet_msgs")
 
 
 def interface_files() -> Dict[str, Path]:
@@ -227,8 +230,8 @@ def test_row_of_an_interface_is_true(row: Tuple[str, str, List[str], str]) -> No
         if other in interface_files():
             assert says(interface_files()[other], name), f"{other} has no {name}"
         else:
-            modules = [path for path in (REPOSITORY / "src" / other).glob("src/**/*.py") if says(path, bare)]
-            assert modules, f"{other} does not say {name}"
+            saying = [path for path in package(other).glob("src/**/*.py") if says(path, bare)]
+            assert saying, f"{other} does not say {name}"
 
 
 #: Tables of these sections of docs/architecture.md name our modules and their definitions.
@@ -272,7 +275,5 @@ def test_architecture_names_many_modules() -> None:
 
 @pytest.mark.parametrize("name", modules_in_architecture())
 def test_names_in_architecture_exist(name: str) -> None:
-    package, module, *inner = name.split(".")
-    path = REPOSITORY / "src" / package / "src" / package / f"{module}.py"
-    assert path.exists()
-    assert not inner or ".".join(inner) in defined_names(path)
+    path, inner = module_and_rest(name)
+    assert not inner or inner in defined_names(path)

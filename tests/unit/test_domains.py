@@ -1,6 +1,5 @@
 """Every file of the domains is valid, and every example in it is understood as the file says."""
 
-import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Dict, List, Sequence, Tuple
@@ -17,6 +16,7 @@ from frame_registrar.search import Refusal, search
 from offline_pipeline.file_checks import Examples, find_problems, load_paths
 from offline_pipeline.knowledge import pretend_servers
 from offline_pipeline.pipeline import Pipeline
+from roboframenet_testing.workspace import package
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
 from semantic_frames import load_lexical_units
@@ -25,7 +25,7 @@ from semantic_types import Fit, shipped_types
 from typed_arguments import FilledFrame
 from word_classes import word_class
 
-DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
+DOMAINS = package("roboframenet_domains") / "domains"
 #: Examples that are not understood yet, with the reason. An example that is understood must leave this list.
 KNOWN: Dict[str, str] = {
     "Call this place the workshop.": "the name is read as joined to the place",

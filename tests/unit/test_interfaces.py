@@ -4,13 +4,13 @@ The sums of 2012, which must never change, are in test_interfaces_2012.py.
 """
 
 import importlib
-from pathlib import Path
 from typing import Dict
 
 import pytest
 from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, PlanNode, ServerProfile
 
-SOURCES = Path(__file__).resolve().parents[2] / "src"
+from roboframenet_testing.workspace import packages
+
 SUMS = {
     "location_memorizer/GetLocation": "063bc9ef3579ffcc1f68f8803767c82b",
     "roboframenet_msgs/AddFrame": "cb6a241b274ea486767393c609cdf1cb",
@@ -93,9 +93,10 @@ def defined() -> Dict[str, str]:
     """Return the generated module of each interface of our packages, by package and name."""
     folders = (("msg", "msg", ""), ("srv", "srv", ""), ("action", "msg", "Action"))
     return {
-        f"{path.parts[-3]}/{path.stem}{suffix}": f"{path.parts[-3]}.{module}"
+        f"{package}/{path.stem}{suffix}": f"{package}.{module}"
         for folder, module, suffix in folders
-        for path in SOURCES.glob(f"*/{folder}/*.{folder}")
+        for package, place in packages().items()
+        for path in place.glob(f"{folder}/*.{folder}")
     }
 
 
@@ -130,5 +131,7 @@ def test_kinds_of_a_plan_have_different_numbers():
 
 def test_no_constant_contains_its_comment() -> None:
     """A string constant goes on to the end of its line, also behind '#'."""
-    lines = [line for path in SOURCES.glob("*/msg/*.msg") for line in path.read_text().splitlines()]
+    lines = [
+        line for one in packages().values() for path in one.glob("msg/*.msg") for line in path.read_text().splitlines()
+    ]
     assert not [line for line in lines if line.startswith("string ") and "=" in line.split("#")[0] and "#" in line]

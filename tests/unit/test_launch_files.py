@@ -1,9 +1,7 @@
 """Launch files and READMEs agree on arguments, robots, policies and behaviours."""
 
-import os
 import re
 import subprocess
-from pathlib import Path
 from typing import Dict, Set
 from xml.etree import ElementTree
 
@@ -11,10 +9,10 @@ import pytest
 import yaml
 
 from arbitrator.policy import POLICIES
+from roboframenet_testing.workspace import REPOSITORY, packages
 from web_console.settings import Settings as ConsoleSettings
 
-REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
-BRINGUP = REPOSITORY / "src" / "roboframenet_bringup"
+BRINGUP = packages()["roboframenet_bringup"]
 ROBOTS = {path.stem for path in (BRINGUP / "launch" / "robots").glob("*.launch")}
 
 #: What the page gets without an argument.
@@ -52,7 +50,7 @@ def behaviour(name: str) -> Dict[str, str]:
 def default_of(parameter: str) -> str:
     """Return the default of ``node/parameter`` in the README of the node's package."""
     package, name = parameter.split("/")
-    text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
+    text = (packages()[package] / "README.md").read_text(encoding="utf-8")
     found = re.search(rf"^\| `~{name}` \| \w+ \| `?([\w.]+)`? \|", text, re.MULTILINE)
     assert found, f"{package}/README.md does not list ~{name}"
     return found.group(1)

@@ -11,9 +11,9 @@ from typing import Dict, FrozenSet, Iterator, List, Set
 import pytest
 
 from roboframenet_testing.recorded_parses import NotRecorded
+from roboframenet_testing.workspace import REPOSITORY, modules, package, package_name, packages
 from stanford_parser_ros.model import shipped_parser
 
-REPOSITORY = Path(__file__).resolve().parents[2]
 #: Modules that may import ROS, besides ``ros_*.py``.
 SHELL_MODULES = {"node.py", "rfnserver.py"}
 ROS_PACKAGES = {
@@ -52,12 +52,7 @@ LONG_CLASSES = {
 
 def product_modules() -> Iterator[Path]:
     """Return all Python modules of our packages, without tests, generated code and the underlay."""
-    yield from sorted(REPOSITORY.glob("src/*/src/**/*.py"))
-
-
-def module_name(path: Path) -> str:
-    """Return the name by which a module is imported."""
-    return path.parent.name if path.name == "__init__.py" else f"{path.parent.name}.{path.stem}"
+    yield from modules().values()
 
 
 def modules_imported(path: Path, known: Set[str]) -> Set[str]:
@@ -115,7 +110,7 @@ def is_ros(package: str) -> bool:
 @pytest.mark.parametrize(
     "path",
     [path for path in product_modules() if not is_shell(path) and path.name != "__init__.py"],
-    ids=lambda path: str(path.relative_to(REPOSITORY / "src")),
+    ids=lambda path: f"{package_name(path)}/{path.name}",
 )
 def test_core_imports_no_ros(path: Path) -> None:
     assert not {name for name in imported_packages(path) if is_ros(name)}
@@ -153,7 +148,7 @@ def test_importing_a_core_loads_no_ros(package: str) -> None:
 
 
 def test_no_modules_import_each_other_in_a_circle() -> None:
-    paths = {module_name(path): path for path in product_modules()}
+    paths = modules()
     graph = {name: modules_imported(path, set(paths)) - {name} for name, path in paths.items()}
     assert sum(map(len, graph.values())) > 100
     assert circle(graph) == []
@@ -167,19 +162,20 @@ def test_a_circle_is_found() -> None:
 def test_only_tests_depend_on_the_package_for_tests() -> None:
     for_tests = {"roboframenet_testing", "roboframenet_rostest"}
     importing = [path for path in product_modules() if for_tests & set(imported_packages(path))]
-    assert {path.parent.name for path in importing} == for_tests
-    for path in REPOSITORY.glob("*/*/package.xml"):
-        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_(?:testing|rostest)<", path.read_text(encoding="utf-8"))
-        assert set(kinds) <= {"test_depend", "name"} or path.parent.name in for_tests | {"roboframenet"}, path
+    assert {package_name(path) for path in importing} == for_tests
+    for name, folder in packages("src", "underlay").items():
+        text = (folder / "package.xml").read_text(encoding="utf-8")
+        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_(?:testing|rostest)<", text)
+        assert set(kinds) <= {"test_depend", "name"} or name in for_tests | {"roboframenet"}, name
 
 
 #: The one file of the tier "test" that depends on the models.
-WITH_MODELS = REPOSITORY / "src" / "stanford_parser_ros" / "test" / "unit" / "test_model.py"
+WITH_MODELS = package("stanford_parser_ros") / "test" / "unit" / "test_model.py"
 
 
 def files_of_unit_tests() -> Iterator[Path]:
     """What ``make test`` runs with pytest, with the modules that it imports from beside it."""
-    for folder in [*REPOSITORY.glob("src/*/test/unit"), REPOSITORY / "tests" / "unit"]:
+    for folder in [*(one / "test" / "unit" for one in packages().values()), REPOSITORY / "tests" / "unit"]:
         yield from sorted(folder.glob("**/*.py"))
 
 
@@ -231,15 +227,15 @@ def test_an_import_of_rospy_is_found(tmp_path: Path) -> None:
 
 def test_classes_of_the_language_have_at_most_250_lines() -> None:
     found = set()
-    for package in LANGUAGE:
-        for path in REPOSITORY.glob(f"src/{package}/src/**/*.py"):
+    for name in LANGUAGE:
+        for path in package(name).glob("src/**/*.py"):
             for node in ast.parse(path.read_text(encoding="utf-8")).body:
                 if isinstance(node, ast.ClassDef) and (node.end_lineno or 0) - node.lineno >= LONGEST_CLASS:
-                    found.add(f"{package}: {node.name}")
+                    found.add(f"{name}: {node.name}")
     assert found == LONG_CLASSES
 
 
-PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
+PACKAGES = list(packages().values())
 #: Stages pass commands on by topics. Exceptions: the executor runs the plan and the machine that the arbitrator builds,
 #: and the framer reads the parse with the types of the parser.
 STAGES = {"command_server", "stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor"}
@@ -259,7 +255,7 @@ def test_a_stage_imports_no_other_stage() -> None:
 
 
 def test_roboframenet_ros_imports_only_messages() -> None:
-    assert packages_imported(REPOSITORY / "src" / "roboframenet_ros") == {"roboframenet_msgs"}
+    assert packages_imported(package("roboframenet_ros")) == {"roboframenet_msgs"}
 
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.name)
@@ -268,19 +264,10 @@ def test_package_xml_names_what_is_imported(package: Path) -> None:
     assert {name for name in packages_imported(package) if f"depend>{name}<" not in text} == set()
 
 
-def internal_imports(package: Path) -> Dict[str, Set[str]]:
+def internal_imports(name: str) -> Dict[str, Set[str]]:
     """Return the modules of the same package that each module of a package imports."""
-    modules = {path.stem: path for path in package.glob("*.py") if path.name != "__init__.py"}
-    found: Dict[str, Set[str]] = {}
-    for name, path in modules.items():
-        names: Set[str] = set()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
-            if isinstance(node, ast.ImportFrom) and node.module == package.name:
-                names.update(alias.name for alias in node.names)
-            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{package.name}."):
-                names.add(node.module.split(".")[1])
-        found[name] = names & set(modules)
-    return found
+    paths = {one: path for one, path in modules().items() if one.startswith(f"{name}.") and path.name != "__init__.py"}
+    return {one: modules_imported(path, set(paths)) - {one} for one, path in paths.items()}
 
 
 def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
@@ -300,7 +287,7 @@ def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
 
 @pytest.mark.parametrize("name, most", [("semantic_framer", 9), ("utterance_passes", 7), ("offline_pipeline", 3)])
 def test_packages_have_few_levels(name: str, most: int) -> None:
-    floors = levels(internal_imports(REPOSITORY / "src" / name / "src" / name))
+    floors = levels(internal_imports(name))
     assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])
 
 

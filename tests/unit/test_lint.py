@@ -10,6 +10,8 @@ from typing import Iterator, Tuple
 
 import pytest
 
+from roboframenet_testing.workspace import packages
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 #: The checks of scripts/lint, and the program that each runs.
 CHECKS = {"format": "ruff", "rules": "ruff", "types": "mypy", "packages": "catkin_lint"}
@@ -41,7 +43,7 @@ def broad_handlers(text: str) -> Iterator[Tuple[int, str]]:
 
 
 def test_a_broad_except_names_its_boundary() -> None:
-    modules = sorted((*REPOSITORY.glob("src/*/src/**/*.py"), *REPOSITORY.glob("underlay/*/src/**/*.py")))
+    modules = sorted(path for one in packages("src", "underlay").values() for path in one.glob("src/**/*.py"))
     unnamed = [
         f"{path.relative_to(REPOSITORY)}:{number}: {line.strip()}"
         for path in modules

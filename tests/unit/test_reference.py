@@ -1,6 +1,5 @@
 """The reference that ``make docs`` makes has every module, definition and parameter, and READMEs agree with it."""
 
-import os
 import re
 import runpy
 from pathlib import Path
@@ -9,12 +8,12 @@ from typing import Dict, List, Tuple
 import pytest
 
 from roboframenet_ros.parameters import DeclaredParameter
+from roboframenet_testing.workspace import REPOSITORY, modules, packages
 
-REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
 FOLDER = REPOSITORY / "docs" / "reference"
 PAGES = runpy.run_path(str(FOLDER / "sources.py"))["pages"]()
 REFERENCE = runpy.run_path(str(FOLDER / "parameters.py"))
-PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
+PACKAGES = list(packages().values())
 PARAMETERS: Dict[str, List[Tuple[DeclaredParameter, str]]] = {
     package.name: [row for kind in REFERENCE["classes_of"](package) for row in REFERENCE["rows_of"](kind)]
     for package in PACKAGES
@@ -24,17 +23,15 @@ TYPES = {"list": "list of strings", "list of strings, or one": "list of strings"
 
 
 def test_every_module_is_on_the_page_of_its_package() -> None:
-    for path in REPOSITORY.glob("src/*/src/*/*.py"):
-        package = path.parent.name
-        if path.parents[2].name == package:
-            name = package if path.stem == "__init__" else f"{package}.{path.stem}"
-            assert f".. automodule:: {name}\n" in PAGES[package]
+    for name, path in modules().items():
+        if path.name != "__init__.py" or "." not in name:
+            assert f".. automodule:: {name}\n" in PAGES[name.partition(".")[0]]
 
 
 def test_every_definition_is_there_as_it_is() -> None:
     for suffix in ("msg", "srv", "action"):
-        for path in REPOSITORY.glob(f"src/*/{suffix}/*.{suffix}"):
-            page = PAGES[path.parents[1].name]
+        for package, path in [(one.name, path) for one in PACKAGES for path in one.glob(f"{suffix}/*.{suffix}")]:
+            page = PAGES[package]
             assert f"\n{path.stem}\n" in page
             assert all(f"   {line}" in page for line in path.read_text(encoding="utf-8").splitlines() if line)
 

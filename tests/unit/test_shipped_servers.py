@@ -12,15 +12,15 @@ from frame_registrar.search import Reading, Refusal, search
 from pr2_props.named_arms import ARM_NOUNS, named_arms
 from pr2_props.node import STATEMENTS
 from pr2_props.props import Arm
+from roboframenet_testing.workspace import package
 from semantic_frames import load_frame
 from semantic_frames.server_statement import stated_profile
 from typed_arguments import TypedArgument
 
-SOURCES = Path(__file__).resolve().parents[2] / "src"
-DOMAINS = SOURCES / "roboframenet_domains" / "domains"
+DOMAINS = package("roboframenet_domains") / "domains"
 GOING = DOMAINS / "navigation" / "frames" / "navigating_to_location.yaml"
 ARMS = tuple(DOMAINS / "pick_and_place" / "frames" / f"{name}.yaml" for name in ("extending_arm", "retracting_arm"))
-BINDING = SOURCES / "frame_bindings" / "config" / "move_base.yaml"
+BINDING = package("frame_bindings") / "config" / "move_base.yaml"
 #: Relations that say the same to a robot that knows one pose for each place: it will be there.
 BEING_THERE = {"to", "into", "in", "at"}
 

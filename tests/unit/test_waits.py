@@ -6,7 +6,8 @@ from typing import List
 
 import pytest
 
-REPOSITORY = Path(__file__).resolve().parents[2]
+from roboframenet_testing.workspace import REPOSITORY, modules
+
 #: Each with what takes its place.
 BY_OTHER_CLOCKS = {
     r"\.wait_for_server\(": "roboframenet_ros.ros_waiting.wait_for_action_server",
@@ -18,7 +19,7 @@ BY_OTHER_CLOCKS = {
 
 def sources() -> List[Path]:
     """Return the modules of our packages and the benchmarks, without their tests."""
-    return sorted([*REPOSITORY.glob("src/*/src/**/*.py"), *REPOSITORY.glob("benchmarks/**/*.py")])
+    return sorted([*modules().values(), *REPOSITORY.glob("benchmarks/**/*.py")])
 
 
 @pytest.mark.parametrize("pattern", BY_OTHER_CLOCKS)

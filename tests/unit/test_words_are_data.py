@@ -3,18 +3,18 @@
 import ast
 import re
 from pathlib import Path
-from typing import Dict, FrozenSet, Iterator, List, Set
+from typing import Dict, FrozenSet, Iterator, List, Set, Tuple
 
 import pytest
 import yaml
 from word_lists import WordList, word_lists
 
+from roboframenet_testing.workspace import packages
 from semantic_frames.relation_names import STANFORD, UNIVERSAL
 from typed_arguments.attribute_names import QUANTIFIERS
 from typed_arguments.attribute_names import RELATIONS as RELATIONS_OF_ARGUMENTS
 from word_classes import word_classes
 
-SOURCES = Path(__file__).resolve().parents[2] / "src"
 RELATIONS = UNIVERSAL | STANFORD
 
 EXCEPTIONS = yaml.safe_load((Path(__file__).parent / "words_in_modules.yaml").read_text(encoding="utf-8"))
@@ -30,16 +30,14 @@ NO_SPEECH["typed_arguments/attribute_names.py"] = frozenset(
 )
 
 
-def modules() -> Iterator[Path]:
-    yield from sorted(SOURCES.glob("*/src/**/*.py"))
-    yield from sorted(path for path in SOURCES.glob("*/nodes/*") if path.is_file())
+def modules() -> Iterator[Tuple[str, Path]]:
+    """Return the modules by package and file, and the programs."""
+    for name, folder in packages().items():
+        yield from ((str(path.relative_to(folder / "src")), path) for path in sorted(folder.glob("src/**/*.py")))
+        yield from ((f"{name}/nodes/{path.name}", path) for path in sorted(folder.glob("nodes/*")) if path.is_file())
 
 
-def name_of(path: Path) -> str:
-    return str(path.relative_to(path.parents[1])) if path.parent.name != "nodes" else str(path.relative_to(SOURCES))
-
-
-MODULES = {name_of(path): path for path in modules()}
+MODULES = dict(modules())
 
 
 def lists_of(name: str) -> List[WordList]:
@@ -124,15 +122,14 @@ def test_every_requested_word_class_exists() -> None:
 
 
 def test_every_word_class_is_used() -> None:
-    text = (SOURCES / "word_classes/src/word_classes/words.yaml").read_text(encoding="utf-8")
+    text = (packages()["word_classes"] / "src/word_classes/words.yaml").read_text(encoding="utf-8")
     included = set(re.findall(r"\w+", " ".join(re.findall(r"includes: \[(.*)\]", text))))
-    files = (
-        "utterance_passes/src/utterance_passes/formulas.yaml",
-        "semantic_framer/src/semantic_framer/fragments.yaml",
-        "semantic_framer/src/semantic_framer/objections.yaml",
-        "semantic_framer/src/semantic_framer/small_talk.yaml",
-    )
-    formulas = "".join((SOURCES / name).read_text(encoding="utf-8") for name in files)
+    files = {"utterance_passes": ("formulas",), "semantic_framer": ("fragments", "objections", "small_talk")}
+    paths = [
+        path for one, names in files.items() for path in packages()[one].glob("src/**/*.yaml") if path.stem in names
+    ]
+    assert len(paths) == 4
+    formulas = "".join(path.read_text(encoding="utf-8") for path in paths)
     used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
     # Used by without_determiner and by agreement; the last one is only known, as all others are.
     own = {"determiners", "agreements", "refusals", "around_answers", "words_of_no_rule"}

@@ -141,13 +141,15 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
 
 def runtime_arguments(source: Path) -> "Reader":
     """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``, in the
-    source tree; the package ``utterance_passes`` lies beside that one.
+    source tree; the package ``utterance_passes`` lies in a folder beside that one, or above.
 
     Raises TrainingError when there is no such package in it.
     """
     if not (source / "stanford_parser_ros" / "stanford_dependencies.py").is_file():
         raise TrainingError(f"{source}: no stanford_parser_ros/stanford_dependencies.py below")
-    sys.path[:0] = [str(source.resolve()), str(source.resolve().parents[1] / "utterance_passes" / "src")]
+    above = source.resolve().parents[1:3]
+    passes = [path for one in above for path in (one / "utterance_passes" / "src", *one.glob("*/utterance_passes/src"))]
+    sys.path[:0] = [str(source.resolve()), *(str(path) for path in passes if path.is_dir())]
     conllu = importlib.import_module("utterance_passes.conllu")
     rules = importlib.import_module("stanford_parser_ros.stanford_dependencies")
 

@@ -13,7 +13,7 @@ from command_models.errors import TrainingError
 from command_models.lexicon import EVALUATION, TRAINING, evaluation_words
 from command_models.mining import Mined
 
-DOMAINS = Path(__file__).resolve().parents[2] / "src" / "roboframenet_domains" / "domains"
+DOMAINS = next(Path(__file__).resolve().parents[2].glob("src/**/roboframenet_domains/domains"))
 UNITS = units.read_units(DOMAINS)
 
 

@@ -10,7 +10,7 @@ from command_models.constructions.validity import violations
 from command_models.conventions import particle_relation, settled, takes_place, unclear
 from command_models.trees import flatten
 
-UNITS = units.read_units(Path(__file__).resolve().parents[2] / "src" / "roboframenet_domains" / "domains")
+UNITS = units.read_units(next(Path(__file__).resolve().parents[2].glob("src/**/roboframenet_domains/domains")))
 
 
 def the(noun):

@@ -22,6 +22,7 @@ from synthetic_speech import silence, speech, voices, with_noise, with_silence
 from command_server.stop_words import is_stop as is_cry
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
+from roboframenet_testing.workspace import REPOSITORY
 from voice_recognition.agreement import Heard, Verdict
 from voice_recognition.dialogue import (
     Command,
@@ -352,7 +353,7 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     if arguments.stops:
         heard, said = stops_heard(spotter, arguments.stops, 10.0)
         print(f"stops heard at 10 dB: {heard} of {said}", flush=True)
-    folder = Path(__file__).resolve().parents[3]
+    folder = REPOSITORY
     for what, seconds, parts in (
         ("talk", arguments.talk_s, talk(arguments.talk_s, folder)),
         ("short phrases", arguments.phrases_s, talk(arguments.phrases_s, folder, are_short=True)),

@@ -10,11 +10,11 @@ from home_servers.conditions import FRAMES as CONDITIONS
 from home_servers.frames import FRAMES
 from question_answering.answers import ANSWERS
 from question_answering.robot_knowledge import served_frames
+from roboframenet_testing.workspace import REPOSITORY, package
 from semantic_frames.frame import SemanticFrame
 
-_ROOT = Path(__file__).resolve().parents[3]
 #: Tables of sentences with the frame that each carries out: without ROS, and in the running graph.
-TABLES = ("src/home_servers/test/sentences.yaml", "tests/rostest/watching/home_frames.yaml")
+TABLES = (package("home_servers") / "test/sentences.yaml", REPOSITORY / "tests/rostest/watching/home_frames.yaml")
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def sentences_by_frame() -> Dict[str, Tuple[str, ...]]:
     """Return the sentences of the tables that carry each frame out."""
     found: Dict[str, List[str]] = {}
     for table in TABLES:
-        content = yaml.safe_load((_ROOT / table).read_text(encoding="utf-8"))
+        content = yaml.safe_load(table.read_text(encoding="utf-8"))
         for entry in content["cases"] if isinstance(content, dict) else content:
             found.setdefault(entry["frame"], []).append(entry["say"])
     return {frame: tuple(sentences) for frame, sentences in found.items()}

@@ -2,7 +2,6 @@
 
 import random
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Dict, FrozenSet, List
 
 import rospy
@@ -11,10 +10,11 @@ from roboframenet_msgs.msg import World as WorldMessage
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import Entity, Place, Plan, State
 from roboframenet_sim.ros_world_objects import map_objects, seen_objects
+from roboframenet_testing.workspace import package
 from world_model import World
 from world_model.ros_messages import world_from_message
 
-HOME = Path(__file__).resolve().parents[3] / "src/roboframenet_sim/config/home.yaml"
+HOME = package("roboframenet_sim") / "config/home.yaml"
 _SEEN_SHARE = 0.75
 
 

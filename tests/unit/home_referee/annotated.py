@@ -6,12 +6,14 @@ from typing import Any, Dict, Tuple
 
 import yaml
 
+from roboframenet_testing.workspace import package
+
 from .commands import Command
 from .home_slots import HomeSlots
 from .logical_forms import read_form
 
 _HERE = os.path.dirname(os.path.realpath(__file__))
-HOME_FILE = os.path.join(_HERE, "..", "..", "..", "src", "roboframenet_sim", "config", "home.yaml")
+HOME_FILE = str(package("roboframenet_sim") / "config" / "home.yaml")
 #: Sayings when no grammar names any.
 _SAYINGS = ("the time", "the day of the week")
 

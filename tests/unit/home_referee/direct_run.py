@@ -4,7 +4,6 @@ It is quick, for work on the skills. What counts is the live graph: there the ro
 and asks.
 """
 
-import os
 import sys
 from typing import Any, List, Sequence, Tuple
 
@@ -19,6 +18,7 @@ from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_floor import Floor
 from roboframenet_sim.home_state import NO_FAULTS, Faults
 from roboframenet_sim.home_truth import truth_of
+from roboframenet_testing.workspace import package
 from semantic_frames.server_statement import stated_profile
 
 from .annotated import HOME_FILE
@@ -26,9 +26,8 @@ from .commands import Command
 from .judging import ROBOT, Run, Saying
 from .walking import Walk
 
-_SOURCES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "src")
-sys.path.append(os.path.join(_SOURCES, "home_servers", "test", "unit"))
-from direct_body import DirectBody  # noqa: E402 (it is beside the tests of home_servers)
+sys.path.append(str(package("home_servers") / "test" / "unit"))
+from direct_body import DirectBody  # it is beside the tests of home_servers
 
 #: A command takes no longer; seconds.
 _MOST_S = 900.0

@@ -37,9 +37,11 @@ class Knowledge:
 
 def shipped_domains() -> str:
     """Return the folder of the domains: that of the ROS package, or that of the source tree of this module."""
-    beside = Path(os.path.realpath(__file__)).parents[3] / "roboframenet_domains" / "domains"
-    if beside.is_dir():
-        return str(beside)
+    # The packages of a group stand in one folder, the groups in another.
+    for sources in Path(os.path.realpath(__file__)).parents[3:5]:
+        for beside in (sources, *sorted(sources.iterdir())):
+            if (beside / "roboframenet_domains" / "package.xml").is_file():
+                return str(beside / "roboframenet_domains" / "domains")
     import rospkg  # only an install space needs it
 
     return os.path.join(rospkg.RosPack().get_path("roboframenet_domains"), "domains")

@@ -1,13 +1,12 @@
 """The offline pipeline: the replies of the nodes, and a trace that names the rule."""
 
-from pathlib import Path
-
 import pytest
 import yaml
 
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import BEHAVIOURS, Parameters, Pipeline, to_json
+from roboframenet_testing.workspace import package
 from semantic_framer.behaviour_2012 import Arguments, Questions
 from semantic_framer.dialogue import Context
 from semantic_framer.outcome import LeftOverWords, Policy
@@ -145,7 +144,7 @@ def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.Monkey
     assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}
 
 
-BEHAVIOUR_FILES = Path(__file__).resolve().parents[3] / "roboframenet_bringup" / "config" / "behaviours"
+BEHAVIOUR_FILES = package("roboframenet_bringup") / "config" / "behaviours"
 
 
 @pytest.mark.parametrize("name", BEHAVIOURS)

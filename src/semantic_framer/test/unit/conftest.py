@@ -5,6 +5,7 @@ from typing import Callable, Dict, Tuple
 
 import pytest
 
+from roboframenet_testing.workspace import package
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Outcome, Policy, read
 from semantic_framer.lexicon import Lexicon
@@ -14,7 +15,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
 from stanford_parser_ros.model import Parser, shipped_parser
 
-DOMAINS = Path(__file__).resolve().parents[3] / "roboframenet_domains" / "domains"
+DOMAINS = package("roboframenet_domains") / "domains"
 
 Understand = Callable[..., Tuple[Outcome, Context]]
 

@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Dict, Sequence
 
-from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.model_error import ModelError
 
 MANIFEST = "manifest.json"
 _HINT = "fetch it again with 'git checkout -- src/stanford_parser_ros/models'"

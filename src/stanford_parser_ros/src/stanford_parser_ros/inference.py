@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, List, Protocol, Sequence
 
+from stanford_parser_ros.model_error import ModelError as ModelError
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import NamedWord
 
@@ -19,10 +20,6 @@ CONSTITUENCY = "constituency"
 ALTERNATIVES = "alternatives"
 #: Parsed once at start: the first sentence costs several times as much as the others.
 WARM_UP = "Turn left 120 degrees."
-
-
-class ModelError(RuntimeError):
-    """The model is missing or cannot be loaded; the message says what was expected, where, and what to do."""
 
 
 class Inference(Protocol):

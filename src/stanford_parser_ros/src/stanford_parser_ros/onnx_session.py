@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.model_error import ModelError
 
 
 def onnx_session(network: Path, *, threads: int = 1) -> Any:

@@ -8,7 +8,8 @@ import pytest
 
 from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
-ARCHITECTURE = Path(__file__).resolve().parents[4] / "docs" / "architecture.md"
+REPOSITORY = next(one for one in Path(__file__).resolve().parents if (one / "pytest.ini").is_file())
+ARCHITECTURE = REPOSITORY / "docs" / "architecture.md"
 
 
 @pytest.mark.parametrize("attribute, names", [("relation", RELATIONS), ("quantifier", QUANTIFIERS)])

@@ -32,8 +32,6 @@ from utterance_passes.utterance_pass import (
     text_pass,
 )
 
-PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
-
 
 def test_names_are_told_apart() -> None:
     assert len({one.name for one in PASSES}) == len(PASSES)
@@ -109,10 +107,10 @@ def test_text_is_parted_before_blanks_are_counted() -> None:
 def passes_by_module() -> Dict[str, List[Pass]]:
     """The passes that each module of the package names, but for the table."""
     found = {}
-    for module in pkgutil.iter_modules(utterance_passes.__path__):
-        names = vars(importlib.import_module(f"utterance_passes.{module.name}"))
+    for module in pkgutil.walk_packages(utterance_passes.__path__, "utterance_passes."):
+        names = vars(importlib.import_module(module.name))
         found[module.name] = [value for value in names.values() if isinstance(value, Pass)]
-    del found["table"]
+    del found["utterance_passes.table"]
     return found
 
 
@@ -126,13 +124,13 @@ def test_no_module_imports_a_pass_of_another() -> None:
     for module, passes in passes_by_module().items():
         for one in passes:
             made_of = one.run  # type: ignore[attr-defined]
-            assert made_of.__module__ == f"utterance_passes.{module}", f"{module} imports {one.name}"
+            assert made_of.__module__ == module, f"{module} imports {one.name}"
             assert made_of.__name__ == one.name
 
 
 def test_no_pass_runs_another() -> None:
     for module, passes in passes_by_module().items():
-        tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
+        tree = ast.parse(Path(str(importlib.import_module(module).__file__)).read_text(encoding="utf-8"))
         runs = [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == "run"]
         assert not passes or not runs, f"{module}.py:{runs[:1]}"
 

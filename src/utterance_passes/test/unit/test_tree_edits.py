@@ -11,7 +11,7 @@ from utterance_passes.conllu import from_short
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree, TreeEdit, behind_verb, set_aside
 
-SOURCES = Path(__file__).resolve().parents[3]
+SOURCES = next(one for one in Path(__file__).resolve().parents if one.name == "src")
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 #: They read trees that come from elsewhere: the parser, a message, a file.
 # conditions.py gives arguments other words; an argument has a head as a word has.
@@ -75,7 +75,10 @@ def makes_trees(path: Path) -> bool:
 def test_no_other_module_makes_trees() -> None:
     packages = ("utterance_passes", "stanford_parser_ros", "semantic_framer", "roboframenet_tools")
     makers = {
-        path.name for package in packages for path in (SOURCES / package / "src").glob("**/*.py") if makes_trees(path)
+        path.name
+        for package in packages
+        for path in SOURCES.glob(f"**/{package}/src/{package}/**/*.py")
+        if makes_trees(path)
     }
     assert makers == READERS | {"tree_edits.py"}
 

@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import figures
 
+from roboframenet_testing.workspace import REPOSITORY
 from voice_recognition.ears import Ears
 from voice_recognition.recogniser import model_dictionary
 from voice_recognition.spotting import StopSpotter
@@ -56,7 +57,7 @@ def test_a_stop_is_heard_in_noise(spotter: StopSpotter) -> None:
 
 
 def test_talk_and_silence_move_nothing(ears: Ears, spotter: StopSpotter) -> None:
-    folder = Path(__file__).resolve().parents[4]
+    folder = REPOSITORY
     *_, talk = figures.false_alarms(ears, spotter, figures.talk(1200.0, folder))
     assert talk["utterances"] > 50 and talk["motions"] == 0 and talk["false stops"] <= 1
     # One of a hundred phrases that stand alone is taken for a stop: an hour of them has 13.

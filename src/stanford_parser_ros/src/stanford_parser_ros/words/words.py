@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import List, NamedTuple, Sequence, Tuple
 
-from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.model_error import ModelError
 from stanford_parser_ros.onnx_session import onnx_session
 from stanford_parser_ros.words.lemmas import Lemmatizer
 from stanford_parser_ros.words.tokens import Expander, Tokenizer
