@@ -43,7 +43,7 @@ def test_no_other_module_builds_one() -> None:
     folder = Path(framer.__file__).resolve().parent
     builders = {
         path.name
-        for path in folder.glob("*.py")
+        for path in folder.glob("**/*.py")
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Sentence"
     }
