@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Dict, List, Protocol, Sequence
 
 from stanford_parser_ros.model_error import ModelError as ModelError
+from stanford_parser_ros.stanza_attributes import ALTERNATIVES
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import NamedWord
 
@@ -16,8 +17,6 @@ PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
 JOINT = "joint"
 #: Used where the package has it: official packages do, the shipped one does not.
 CONSTITUENCY = "constituency"
-#: Attribute of a sentence of Stanza: what else its words may hang on, as the joint model says.
-ALTERNATIVES = "alternatives"
 #: Parsed once at start: the first sentence costs several times as much as the others.
 WARM_UP = "Turn left 120 degrees."
 

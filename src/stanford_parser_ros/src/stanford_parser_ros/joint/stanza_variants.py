@@ -3,8 +3,8 @@
 from pathlib import Path
 from typing import Any, Dict
 
-from stanford_parser_ros.inference import ALTERNATIVES
 from stanford_parser_ros.joint.network import JointNetwork, alternatives_of
+from stanford_parser_ros.stanza_attributes import ALTERNATIVES
 
 NAME = "joint"
 
