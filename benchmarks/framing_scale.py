@@ -11,11 +11,11 @@ from typing import Dict, List, Mapping, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from semantic_framer.framer import read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from stanford_parser_ros.model import shipped_parser
-from utterance_passes.tree import DependencyTree
+from utterance_passes.trees.tree import DependencyTree
 
 COUNTS = (50, 10000)
 ROUNDS = 40

@@ -17,7 +17,7 @@ from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_testing import comes_true, wait_until
 from roboframenet_tools.ros_graph import live_knowledge, live_parameters
-from semantic_framer.dialogue import Context
+from semantic_framer.values.dialogue import Context
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 

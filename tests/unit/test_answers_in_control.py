@@ -5,9 +5,9 @@ from itertools import count
 import pytest
 from test_control_sentences import drawn
 
-from semantic_framer.clause_plan import plan_of
-from semantic_framer.dialogue import Context
 from semantic_framer.framer import Understood, read
+from semantic_framer.values.clause_plan import plan_of
+from semantic_framer.values.dialogue import Context
 
 ANSWERS = {
     ("Tomorrow go to the kitchen.", "At nine."): "AT(tomorrow at nine, navigating_to_location(goal=the kitchen))",

@@ -18,9 +18,9 @@ from frame_registrar.ros_messages import conditions_in, to_clauses, to_plan
 from frame_registrar.search import Refusal, search
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
-from semantic_framer.clause_plan import LEAVES, PlanPart, plan_of
 from semantic_framer.framer import Understood, read
-from semantic_framer.reading import Reading
+from semantic_framer.values.clause_plan import LEAVES, PlanPart, plan_of
+from semantic_framer.values.reading import Reading
 
 FOLDER = Path(os.path.realpath(__file__)).parent
 #: Orders for later; a firing of one is a command, and has a machine of its own.

@@ -150,7 +150,7 @@ def runtime_arguments(source: Path) -> "Reader":
     above = source.resolve().parents[1:3]
     passes = [path for one in above for path in (one / "utterance_passes" / "src", *one.glob("*/utterance_passes/src"))]
     sys.path[:0] = [str(source.resolve()), *(str(path) for path in passes if path.is_dir())]
-    conllu = importlib.import_module("utterance_passes.conllu")
+    conllu = importlib.import_module("utterance_passes.trees.conllu")
     rules = importlib.import_module("stanford_parser_ros.stanford_dependencies")
 
     def read(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:

@@ -9,7 +9,7 @@ from typing import Dict, Iterable, Iterator, List, Tuple
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
-from semantic_framer.outcome import LeftOverWords, Policy
+from semantic_framer.values.outcome import LeftOverWords, Policy
 
 from .phrases import Motion, Phrase
 

@@ -6,7 +6,7 @@ from typing import Dict, Iterable, Iterator, List, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
-from semantic_framer.outcome import MEANING_ONLY
+from semantic_framer.values.outcome import MEANING_ONLY
 
 from .utterances import Utterance
 

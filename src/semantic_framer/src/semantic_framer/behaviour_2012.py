@@ -9,11 +9,11 @@ from dataclasses import replace
 from enum import Enum
 from typing import Dict, Optional, Tuple
 
-from semantic_framer.dialogue import Context
-from semantic_framer.outcome import Outcome, Question, Refusal, Understood
-from semantic_framer.reading import Reading
+from semantic_framer.values.dialogue import Context
+from semantic_framer.values.outcome import Outcome, Question, Refusal, Understood
+from semantic_framer.values.reading import Reading
 from typed_arguments import TypedArgument
-from utterance_passes.trace import Trace
+from utterance_passes.engine.trace import Trace
 
 
 class Arguments(Enum):

@@ -3,30 +3,39 @@
 from dataclasses import replace
 from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple, Union
 
-from semantic_framer.answers import answer, time_answered
-from semantic_framer.beginnings import beginning_of, without_beginning
-from semantic_framer.choices import chosen
-from semantic_framer.clause_links import answers_a_question, asks_whether, find_joints, tells_how_long
-from semantic_framer.dialogue import Context, LastQuestion, Pending, is_no
-from semantic_framer.fragment_changes import last_command
-from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.joints import Joints
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.linked_sentence import (
+from semantic_framer.asking.answers import answer, time_answered
+from semantic_framer.asking.choices import chosen
+from semantic_framer.asking.other_trees import best_of_trees
+from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.changing.beginnings import beginning_of, without_beginning
+from semantic_framer.changing.fragment_changes import last_command
+from semantic_framer.changing.objections import against_what_runs
+from semantic_framer.clauses.questions import remark_readings
+from semantic_framer.clauses.readings import Heard
+from semantic_framer.judging.said_words import RULE, words_left
+from semantic_framer.kinds.mood_file import UtteranceKind
+from semantic_framer.kinds.utterance_kind import KindVerdict
+from semantic_framer.linking.clause_links import answers_a_question, asks_whether, find_joints, tells_how_long
+from semantic_framer.linking.joints import Joints
+from semantic_framer.linking.mixed_lists import are_handled_apart, with_items_apart
+from semantic_framer.linking.news import told_when, with_end_told
+from semantic_framer.referring.whose_deed import whose_deed
+from semantic_framer.referring.world_attachment import attached_by_world, is_better, question_of_goal
+from semantic_framer.referring.world_references import looked_up_again
+from semantic_framer.sentences.linked_sentence import (
     doubtful_message,
     has_lost_link,
     joint_words,
     manners,
-    read_linked,
     swallowed_joints,
     swallowed_words,
+    understand_linked,
 )
-from semantic_framer.mixed_lists import are_handled_apart, with_items_apart
-from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.news import told_when, with_end_told
-from semantic_framer.objections import against_what_runs
-from semantic_framer.other_trees import best_of_trees
-from semantic_framer.outcome import (
+from semantic_framer.sentences.plain_sentence import understand_plain
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.dialogue import Context, LastQuestion, Pending, is_no
+from semantic_framer.values.outcome import (
     CAREFUL,
     CORRECTION,
     DECLINED,
@@ -41,24 +50,15 @@ from semantic_framer.outcome import (
     Understood,
     lost_words_refusal,
 )
-from semantic_framer.plain_sentence import read_plain
-from semantic_framer.questions import remark_readings
-from semantic_framer.reading import Reading
-from semantic_framer.readings import Heard
-from semantic_framer.said_words import RULE, words_left
-from semantic_framer.sentence import Sentence
-from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.utterance_kind import KindVerdict
-from semantic_framer.whose_deed import whose_deed
-from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
-from semantic_framer.world_references import looked_up_again
+from semantic_framer.values.reading import Reading
+from semantic_framer.values.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
-from utterance_passes.running import run_tree_passes
+from utterance_passes.engine.running import run_tree_passes
+from utterance_passes.engine.trace import Trace
+from utterance_passes.engine.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
-from utterance_passes.trace import Trace
-from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import continued, lasting, said_after
-from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
+from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree_edits import continued, lasting, said_after
 from word_classes import agreement
 
 #: Codes of refusals that end an open question: what it asks about is forbidden, taken back or put right.
@@ -133,10 +133,10 @@ def hear(
         context = replace(context, pending=None)
     heard = best_of_trees(
         tree,
-        _Hearing(now).hear(tree, context),
+        _Utterance(now).checked(tree, context),
         context,
         now,
-        lambda other, lines: _Hearing(replace(now, trace=lines)).hear(other, context),
+        lambda other, lines: _Utterance(replace(now, trace=lines)).checked(other, context),
     )
     pending = heard.context.pending
     if pending is not None and pending is not question:
@@ -198,7 +198,7 @@ def _begun(heard: Heard, beginning: str) -> Heard:
     return replace(heard, context=replace(heard.context, pending=replace(heard.context.pending, beginning=beginning)))
 
 
-def _readings_of(heard: Heard, asked: Optional[Pending]) -> List[Reading]:
+def _best_readings(heard: Heard, asked: Optional[Pending]) -> List[Reading]:
     """Return the best reading of each clause that is done, or that is done after a yes to what the utterance asks."""
     if isinstance(heard.outcome, Understood):
         return [readings[0] for readings in heard.outcome.clauses]
@@ -206,16 +206,16 @@ def _readings_of(heard: Heard, asked: Optional[Pending]) -> List[Reading]:
     return [*kept, *(readings[0] for readings in asked.clauses)] if asked is not None else kept
 
 
-class _Hearing:
+class _Utterance:
     """Understands one utterance."""
 
     def __init__(self, now: Now) -> None:
         self._now = now
         self._trace = now.trace
 
-    def hear(self, tree: DependencyTree, context: Context) -> Heard:
+    def checked(self, tree: DependencyTree, context: Context) -> Heard:
         """Understand an utterance, and refuse it if a word of it is lost."""
-        heard = self._understood(tree, context)
+        heard = self._answer_or_command(tree, context)
         policy, sentence = self._now.policy, heard.sentence
         if policy.left_over_words not in CAREFUL or sentence is None or heard.is_answer:
             return heard
@@ -223,14 +223,14 @@ class _Hearing:
         if not isinstance(heard.outcome, Understood) and (asked is None or not asked.clauses):
             return heard
         is_asked = isinstance(heard.outcome, Question)
-        lost = words_left(sentence.tree, _readings_of(heard, asked), heard.named, is_asked=is_asked)
+        lost = words_left(sentence.tree, _best_readings(heard, asked), heard.named, is_asked=is_asked)
         if not lost:
             return heard
         self._now.write(RULE, " ".join(lost), "refused. Nothing that was understood has these words.")
         refused = replace(heard, outcome=lost_words_refusal(sentence, lost), context=replace(context, pending=None))
         return self._with_open(context.pending, sentence, refused) if context.pending is not None else refused
 
-    def _understood(self, tree: DependencyTree, context: Context) -> Heard:
+    def _answer_or_command(self, tree: DependencyTree, context: Context) -> Heard:
         """Take an utterance as an answer to the open question, if it is one, or as a command."""
         meant = self._restructured(tree, FRAMER_TREE_PASSES)
         pending = context.pending
@@ -239,12 +239,12 @@ class _Hearing:
             # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
-            return self._read_in_world(meant, context)
+            return self._attached_by_world(meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         heard = self._answered(meant, pending, context)
-        return heard if heard is not None else self._with_open(pending, meant, self._read_in_world(meant, context))
+        return heard if heard is not None else self._with_open(pending, meant, self._attached_by_world(meant, context))
 
     def _with_open(self, pending: Pending, meant: Sentence, heard: Heard) -> Heard:
         """Keep a question open beside which only something else was said: talk, a question, or what is not understood.
@@ -277,13 +277,13 @@ class _Hearing:
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
                 return Heard(*ask_which(picked, context, self._now))
-            heard = self._read(picked, context)
+            heard = self._with_beginning(picked, context)
             if isinstance(heard.outcome, Understood):
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return heard
         if pending.unfinished is not None:
-            return self._finished(pending.unfinished, meant, context)
+            return self._completing_sentence(pending.unfinished, meant, context)
         if pending.open_time:
             plan = time_answered(meant, pending)
             if plan is None:
@@ -307,35 +307,35 @@ class _Hearing:
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
         return _begun(Heard(*settled, meant, is_answer=True), pending.beginning)
 
-    def _finished(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
+    def _completing_sentence(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
         """Understand what is said behind an unfinished sentence; a sentence of its own if it does not finish that."""
         link = max(word.index for word in unfinished.words if word.upos != "PUNCT")
         whole = Sentence(continued(unfinished, link, said.tree), self._now.known.types)
-        heard = self._read(whole, context)
+        heard = self._with_beginning(whole, context)
         if not isinstance(heard.outcome, Understood):
-            return self._read_in_world(said, context)
+            return self._attached_by_world(said, context)
         self._now.write("answer", said.tree.text, "finishes the sentence before")
         return heard
 
-    def _behind_question(self, said: Sentence, context: Context) -> Optional[Heard]:
+    def _continuing_question(self, said: Sentence, context: Context) -> Optional[Heard]:
         """Understand what is said for one answer to the question before: "if so, close it"; None for anything else."""
         if context.question is None or not answers_a_question(said):
             return None
         whole = Sentence(said_after(context.question.tree, said.tree), self._now.known.types)
-        heard = self._read_command(whole, context)
+        heard = self._plain_or_linked(whole, context)
         if isinstance(heard.outcome, Refusal):
             return None
         self._now.write("answer", said.tree.text, "goes on with the question before")
         return heard
 
-    def _going_on(self, said: Sentence, context: Context) -> Optional[Heard]:
+    def _extending_last_command(self, said: Sentence, context: Context) -> Optional[Heard]:
         """Understand how long the last command goes on, said for itself: "follow Anna" - "for five minutes"; None for
         anything else."""
         last = context.last.tree if context.last is not None else None
         if last is None or not tells_how_long(said):
             return None
         whole = Sentence(lasting(last, said.tree), self._now.known.types)
-        heard = self._read_command(whole, context)
+        heard = self._plain_or_linked(whole, context)
         if not isinstance(heard.outcome, Understood):
             return None
         self._now.write("answer", said.tree.text, "is said of the command before")
@@ -344,25 +344,29 @@ class _Hearing:
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, trace=self._trace)
 
-    def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
+    def _attached_by_world(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
         if told := remark_readings(sentence, self._now.known, self._trace):
             return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
-        behind_question = self._behind_question(sentence, context)
+        behind_question = self._continuing_question(sentence, context)
         if behind_question is not None:
             return behind_question
         is_on = "attached_by_world" not in self._now.known.without
         attached = attached_by_world(sentence, self._now.known, context) if is_on else None
         if attached is None:
-            heard = self._read(sentence, context)
-            return heard if isinstance(heard.outcome, Understood) else self._going_on(sentence, context) or heard
+            heard = self._with_beginning(sentence, context)
+            return (
+                heard
+                if isinstance(heard.outcome, Understood)
+                else self._extending_last_command(sentence, context) or heard
+            )
         trace = Trace() if self._trace is not None else None
-        heard = _Hearing(replace(self._now, trace=trace))._read(attached.sentence, context)
-        plain = _Hearing(replace(self._now, trace=None))._read(sentence, context)
+        heard = _Utterance(replace(self._now, trace=trace))._with_beginning(attached.sentence, context)
+        plain = _Utterance(replace(self._now, trace=None))._with_beginning(sentence, context)
         best, before = ([read.kept[0] for read in one.clauses if read.kept] for one in (heard, plain))
         is_whole = len(best) == len(heard.clauses)
         if not is_whole or not is_better(attached, best, before, self._now.known):
-            return self._read(sentence, context)
+            return self._with_beginning(sentence, context)
         self._now.write("attached_by_world", sentence.tree.text, attached.note)
         if trace is not None and self._trace is not None:
             self._trace.extend(trace.lines)
@@ -373,7 +377,7 @@ class _Hearing:
         pending = Pending(without_positions(heard.outcome.clauses), 0, (), self._now.expires_s, plan=plan)
         return replace(heard, outcome=question_of_goal(attached), context=replace(heard.context, pending=pending))
 
-    def _read(self, sentence: Sentence, context: Context) -> Heard:
+    def _with_beginning(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
         begun = beginning_of(sentence.tree)
         if begun is not None and any(
@@ -382,9 +386,9 @@ class _Hearing:
             begun = None  # "Next week" is a time; "afterwards" is none.
         bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
         if begun is None or bare is None:
-            return self._read_command(sentence, context)
+            return self._plain_or_linked(sentence, context)
         self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
-        heard = self._read_command(bare, context)
+        heard = self._plain_or_linked(bare, context)
         named = heard.named | begun.positions
         if isinstance(heard.outcome, Question):
             kept = tuple(read.kept for read in heard.clauses)
@@ -393,15 +397,15 @@ class _Hearing:
                 heard = Heard(*resolve_and_confirm(told, bare, context, self._now), bare, heard.clauses)
         return _begun(replace(heard, named=named), begun.kind)
 
-    def _read_command(self, sentence: Sentence, context: Context) -> Heard:
+    def _plain_or_linked(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a command; one that cannot be understood as it is may have conditions."""
-        heard = read_plain(sentence, context, self._now)
+        heard = understand_plain(sentence, context, self._now)
         if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
             return heard
         known, outcome = self._now.known, heard.outcome
         is_plain = isinstance(outcome, Understood)
         if not isinstance(outcome, Understood):
-            heard = read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
+            heard = understand_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
         if not isinstance(heard.outcome, Understood):
             return heard
         best = [readings[0] for readings in heard.outcome.clauses]
@@ -418,14 +422,16 @@ class _Hearing:
             news = told_when(sentence, known, best)
             if news.found:
                 waited = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, news)}" is meant.')
-                return read_linked(sentence, context, self._now, waited, news) or heard
+                return understand_linked(sentence, context, self._now, waited, news) or heard
             is_lost = has_lost_link(sentence, best)
             joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
             how = Joints() if joints.found else manners(sentence, known)
             if how.found or joints.found or is_lost:
                 how = how if how.found else joints
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
-                return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
+                return understand_linked(sentence, context, self._now, swallowed, how) or Heard(
+                    swallowed, context, sentence
+                )
         words = swallowed_words(sentence, known, best)
         if words:
             return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
@@ -437,7 +443,7 @@ class _Hearing:
         if apart is None:
             return None
         trace = Trace() if self._trace is not None else None
-        heard = _Hearing(replace(self._now, trace=trace))._read_command(apart, context)
+        heard = _Utterance(replace(self._now, trace=trace))._plain_or_linked(apart, context)
         outcome = heard.outcome
         if not isinstance(outcome, Understood) or not are_handled_apart(best, [one[0] for one in outcome.clauses]):
             return None

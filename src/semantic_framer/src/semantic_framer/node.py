@@ -44,24 +44,24 @@ from roboframenet_ros.ros_stage import Stage
 from robot_fleet.addressing import listed, others_addressed, spoken
 from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
-from semantic_framer.dialogue import Context
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
-from semantic_framer.heeding import FrameHeeding, heeded_elements
-from semantic_framer.known_names import KnownNames
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.lexicon_files import LexiconFiles, LexiconState
-from semantic_framer.outcome import Refusal, Understood, reply_outcome
 from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
 from semantic_framer.settings import Settings
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.heeding import FrameHeeding, heeded_elements
+from semantic_framer.units.known_names import KnownNames
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.units.lexicon_files import LexiconFiles, LexiconState
+from semantic_framer.values.dialogue import Context
+from semantic_framer.values.outcome import Refusal, Understood, reply_outcome
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.read_once import ReadOnce
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
-from utterance_passes.trace import Trace
-from utterance_passes.tree import DependencyTree
+from utterance_passes.engine.trace import Trace
+from utterance_passes.trees.tree import DependencyTree
 from world_model import World
 from world_model.ros_messages import world_from_message
 

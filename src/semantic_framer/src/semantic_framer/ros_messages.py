@@ -15,13 +15,13 @@ from roboframenet_msgs.msg import (
     TimeExpression,
 )
 
-from semantic_framer.clause_plan import nodes_of, plan_of
-from semantic_framer.outcome import Understood
-from semantic_framer.reading import Reading
+from semantic_framer.values.clause_plan import nodes_of, plan_of
+from semantic_framer.values.outcome import Understood
+from semantic_framer.values.reading import Reading
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_profile import Purpose, ServerProfile
 from typed_arguments.ros_messages import time_to_message, to_message
-from utterance_passes.tree import DependencyTree
+from utterance_passes.trees.tree import DependencyTree
 
 
 def acting_servers(message: FrameServers, robot: str = "") -> Mapping[str, Sequence[ServerProfile]]:

@@ -5,7 +5,7 @@ from typing import Tuple
 
 from roboframenet_ros.parameters import Parameters, parameter
 from semantic_framer.behaviour_2012 import Arguments, Questions
-from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
+from semantic_framer.values.outcome import Alternatives, LeftOverWords, Policy
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,10 @@ from typing import Callable, Dict, Tuple
 import pytest
 
 from roboframenet_testing.workspace import package
-from semantic_framer.dialogue import Context
 from semantic_framer.framer import Outcome, Policy, read
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.outcome import MEANING_ONLY
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.dialogue import Context
+from semantic_framer.values.outcome import MEANING_ONLY
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files

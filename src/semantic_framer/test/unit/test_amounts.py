@@ -5,7 +5,7 @@ from typing import Any, Dict
 import pytest
 
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import load_frame
 
 IGNORING = Policy(left_over_words=LeftOverWords.IGNORE)

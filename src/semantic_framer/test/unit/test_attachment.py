@@ -4,17 +4,17 @@ from typing import Dict, Tuple
 
 import pytest
 
-from semantic_framer.descriptions import descriptions
-from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.filling.descriptions import descriptions
 from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.sentence import Sentence
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.sentence import Sentence
 from semantic_frames import load_frame
-from utterance_passes.clauses import find_clauses
-from utterance_passes.conllu import from_conllu
-from utterance_passes.running import run_tree_passes
+from utterance_passes.engine.running import run_tree_passes
+from utterance_passes.phrases.clauses import find_clauses
 from utterance_passes.table import PARSE_CORRECTING_PASSES
-from utterance_passes.vocabulary import Verbs
+from utterance_passes.trees.conllu import from_conllu
+from utterance_passes.trees.vocabulary import Verbs
 
 FRAMES = {
     frame.name: frame

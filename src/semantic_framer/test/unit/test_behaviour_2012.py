@@ -3,8 +3,8 @@
 import pytest
 
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
-from semantic_framer.dialogue import Context
 from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood
+from semantic_framer.values.dialogue import Context
 
 AS_IN_2012 = Policy(left_over_words=LeftOverWords.IGNORE)
 

@@ -5,10 +5,10 @@ from typing import Any, Dict
 import pytest
 
 from semantic_framer.framer import Refusal, Understood
-from utterance_passes.conllu import from_conllu
-from utterance_passes.running import run_tree_passes
+from utterance_passes.engine.running import run_tree_passes
 from utterance_passes.table import PARSE_CORRECTING_PASSES
-from utterance_passes.vocabulary import Verbs
+from utterance_passes.trees.conllu import from_conllu
+from utterance_passes.trees.vocabulary import Verbs
 
 
 @pytest.mark.parametrize(

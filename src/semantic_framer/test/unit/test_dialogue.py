@@ -5,12 +5,12 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.dialogue import Context, is_no, is_yes
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.dialogue import Context, is_no, is_yes
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
-from utterance_passes.conllu import from_conllu
+from utterance_passes.trees.conllu import from_conllu
 
 FRAMES = {
     frame.name: frame

@@ -5,16 +5,16 @@ from typing import Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.dialogue import Context, LastCommand
-from semantic_framer.fragments import shipped_fragments
-from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.changing.fragments import shipped_fragments
 from semantic_framer.framer import Policy, Question, Refusal, Understood, hear
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.dialogue import Context, LastCommand
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import Parser
 from typed_arguments import Source
-from utterance_passes.formula_file import Formula
-from utterance_passes.trace import Trace
+from utterance_passes.engine.trace import Trace
+from utterance_passes.trees.formula_file import Formula
 
 PATTERNS = [(kind, formula) for kind, formulas in shipped_fragments().items() for formula in formulas]
 

@@ -4,9 +4,9 @@ from typing import Any, Dict, FrozenSet
 
 import pytest
 
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, hear
-from semantic_framer.heeding import EVERYTHING, heeded_elements
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.heeding import EVERYTHING, heeded_elements
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.server_profile import AS_IN_2012

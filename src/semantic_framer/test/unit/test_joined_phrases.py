@@ -1,9 +1,9 @@
 """Phrases that hang on the verb, and tell which thing is meant."""
 
 from phrase_meanings.head_words import is_side_of_something
-from semantic_framer.attachment import is_postmodifier_of, words_before, words_before_amount
-from semantic_framer.sentence import Sentence
-from utterance_passes.conllu import from_conllu
+from semantic_framer.filling.attachment import is_postmodifier_of, words_before, words_before_amount
+from semantic_framer.values.sentence import Sentence
+from utterance_passes.trees.conllu import from_conllu
 
 
 def sentence(*rows: str) -> Sentence:

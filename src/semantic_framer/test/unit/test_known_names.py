@@ -1,6 +1,6 @@
 """The names that the robot knows, from a file and from another program."""
 
-from semantic_framer.known_names import KnownNames
+from semantic_framer.units.known_names import KnownNames
 from semantic_types.likelihood import Fit
 
 WORLD = [("Rover", ["Animal"]), ("Anna", ["Device"])]

@@ -5,10 +5,10 @@ from typing import Tuple
 import pytest
 
 from semantic_framer.framer import LeftOverWords, Policy, Understood, read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import load_frame
 from stanford_parser_ros.stanford_dependencies import RULES
-from utterance_passes.conllu import from_conllu
+from utterance_passes.trees.conllu import from_conllu
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "frame.yaml")
 UNIT = (

@@ -4,11 +4,11 @@ from typing import List, Tuple
 
 import pytest
 
-from semantic_framer.dialogue import is_no, is_yes
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.dialogue import is_no, is_yes
 from semantic_frames import FileRefused
-from utterance_passes.measures import find_amounts
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.phrases.measures import find_amounts
+from utterance_passes.trees.tree import DependencyTree, Word
 
 
 def sentence_of(text: str) -> DependencyTree:

@@ -6,9 +6,9 @@ from typing import List
 
 import pytest
 
-from semantic_framer import lexicon_files
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.lexicon_files import LexiconFiles, LexiconState
+from semantic_framer.units import lexicon_files
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.units.lexicon_files import LexiconFiles, LexiconState
 from semantic_frames.lexical_unit import LexicalUnit
 
 #: So long the first addition gives the second one to overtake it; it never has to wait when it can be overtaken.

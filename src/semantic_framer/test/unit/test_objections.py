@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from semantic_framer.dialogue import Context
+from semantic_framer.changing.objections import KINDS, shipped_objections
 from semantic_framer.framer import Question, Refusal, Understood
-from semantic_framer.objections import KINDS, shipped_objections
-from utterance_passes.formula_file import Formula
+from semantic_framer.values.dialogue import Context
+from utterance_passes.trees.formula_file import Formula
 
 PROHIBITIONS = (
     "don't follow me",

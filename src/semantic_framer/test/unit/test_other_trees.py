@@ -5,16 +5,16 @@ from typing import Callable, Dict, FrozenSet, List
 
 import pytest
 
-from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.asking.other_trees import RULE
 from semantic_framer.framer import hear
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.other_trees import RULE
-from semantic_framer.outcome import MEANING_ONLY, Refusal, Understood
+from semantic_framer.referring.tree_doubts import DOUBTS
 from semantic_framer.rules import RULES
-from semantic_framer.tree_doubts import DOUBTS
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.values.outcome import MEANING_ONLY, Refusal, Understood
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import Parser
-from utterance_passes.trace import Trace
+from utterance_passes.engine.trace import Trace
 
 Said = Callable[..., List[str]]
 

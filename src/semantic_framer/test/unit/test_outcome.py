@@ -1,8 +1,8 @@
 """Sentences of refusals and questions read as a person would write them."""
 
-from semantic_framer.outcome import left_over_refusal
-from semantic_framer.sentence import Sentence
-from utterance_passes.conllu import from_conllu
+from semantic_framer.values.outcome import left_over_refusal
+from semantic_framer.values.sentence import Sentence
+from utterance_passes.trees.conllu import from_conllu
 
 PING_SIDEWAYS = "\n".join(
     f"{index}\t{form}\t{form}\t{upos}\t_\t_\t{head}\t{deprel}\t_\t_"

@@ -5,8 +5,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
-from semantic_framer.pattern_index import PatternIndex, demanded_words
-from semantic_framer.word_patterns import compiled
+from semantic_framer.units.pattern_index import PatternIndex, demanded_words
+from semantic_framer.units.word_patterns import compiled
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 
 UNITS = load_knowledge([shipped_domains()]).lexicon.units

@@ -5,7 +5,7 @@ from typing import Dict, List, Optional, Tuple
 from hypothesis import given
 from hypothesis import strategies as st
 
-from semantic_framer.phrase_table import Phrase, PhraseTable
+from semantic_framer.values.phrase_table import Phrase, PhraseTable
 
 WORDS = st.sampled_from(["at", "the", "most", "moment"])
 PHRASES = st.dictionaries(st.lists(WORDS, min_size=1, max_size=3).map(tuple), st.integers())

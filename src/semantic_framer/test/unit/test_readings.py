@@ -5,7 +5,7 @@ from typing import Any, Dict, List, Tuple
 import pytest
 
 from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
 
 
 def meant(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:

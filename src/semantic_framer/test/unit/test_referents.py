@@ -6,9 +6,9 @@ from typing import Tuple
 import pytest
 
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
-from semantic_framer.dialogue import Context
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, Question, Understood, hear
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.values.dialogue import Context
 from stanford_parser_ros.model import shipped_parser
 from typed_arguments import TypedArgument
 from world_model.world import World, snapshot

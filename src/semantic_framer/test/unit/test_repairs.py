@@ -5,11 +5,11 @@ from typing import Any, Dict, List, Tuple
 import pytest
 
 from semantic_framer.framer import Question, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
+from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import load_frame
-from utterance_passes.conllu import from_conllu
-from utterance_passes.running import run_tree_passes
+from utterance_passes.engine.running import run_tree_passes
 from utterance_passes.table import CORRECTION_PASSES
+from utterance_passes.trees.conllu import from_conllu
 
 UNITS = """
 - frame_name: turning

@@ -7,9 +7,9 @@ from typing import Any, List
 import pytest
 
 from semantic_framer import framer
-from semantic_framer.sentence import Sentence
+from semantic_framer.values.sentence import Sentence
 from semantic_types import WordTypes
-from utterance_passes.tree import DependencyTree
+from utterance_passes.trees.tree import DependencyTree
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,10 @@
 import pytest
 
 from semantic_framer.framer import Refusal
-from semantic_framer.small_talk import load_small_talk, shipped_small_talk, small_talk_of
+from semantic_framer.sentences.small_talk import load_small_talk, shipped_small_talk, small_talk_of
 from semantic_frames import FileRefused
-from utterance_passes.conllu import from_short
-from utterance_passes.formula_file import Formula
+from utterance_passes.trees.conllu import from_short
+from utterance_passes.trees.formula_file import Formula
 
 PATTERNS = [(kind.name, formula) for kind in shipped_small_talk() for formula in kind.formulas]
 FILE = "thanks:\n  reply: You are welcome.\n  patterns: [{pattern: thanks, example: thanks}]\n"

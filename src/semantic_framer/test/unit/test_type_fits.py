@@ -2,9 +2,9 @@
 
 import pytest
 
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import hear
-from semantic_framer.outcome import Question, Understood
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.values.outcome import Question, Understood
 from semantic_types import WordTypes
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from semantic_framer.unread_words import MOST_UNREAD_WORDS, UNREAD_WORDS_FILE, load_unread_words
+from semantic_framer.judging.unread_words import MOST_UNREAD_WORDS, UNREAD_WORDS_FILE, load_unread_words
 from semantic_frames import FileRefused
 
 _MANY = f"- {{words: [{', '.join('w' * length for length in range(1, 42))}], reason: polite}}"

@@ -4,12 +4,12 @@ from typing import Any, Tuple
 
 import pytest
 
-from semantic_framer.mood_file import MoodRule, UtteranceKind, load_moods, shipped_moods
-from semantic_framer.utterance_kind import kind_without_clause, kinds_of_clauses
+from semantic_framer.kinds.mood_file import MoodRule, UtteranceKind, load_moods, shipped_moods
+from semantic_framer.kinds.utterance_kind import kind_without_clause, kinds_of_clauses
 from semantic_frames import FileRefused
-from utterance_passes.clauses import find_clauses
-from utterance_passes.conllu import from_short
-from utterance_passes.vocabulary import Verbs
+from utterance_passes.phrases.clauses import find_clauses
+from utterance_passes.trees.conllu import from_short
+from utterance_passes.trees.vocabulary import Verbs
 
 TIRED = "i|PRON|3|nsubj am|AUX|3|cop|be tired|ADJ|0|root"
 VERBS = Verbs(frozenset(["turn", "open", "bring"]))

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
-from semantic_framer.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
+from semantic_framer.judging.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
+from semantic_framer.judging.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 IN_ORDER = (

@@ -4,10 +4,10 @@ from typing import Any, Callable
 
 import pytest
 
-from semantic_framer.dialogue import Context
-from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.clauses.readings import Heard
 from semantic_framer.framer import Question, Understood, hear
-from semantic_framer.readings import Heard
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.values.dialogue import Context
 
 Hear = Callable[..., Heard]
 

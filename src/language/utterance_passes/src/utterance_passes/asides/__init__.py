@@ -1,0 +1,1 @@
+"""Which words say why or how politely, and not what to do?"""

@@ -1,0 +1,1 @@
+"""Which deed do several words mean together?"""

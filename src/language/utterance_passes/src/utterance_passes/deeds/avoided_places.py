@@ -1,0 +1,103 @@
+"""Makes a preposition of the words that say where not to go on the way: "go to the office *avoiding* the hall"."""
+
+from typing import FrozenSet, Optional, Tuple
+
+from utterance_passes.engine.pass_needs import only_with
+from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree_edits import TreeEdit
+from utterance_passes.trees.vocabulary import Vocabulary
+from word_classes import word_class
+
+#: What all these words become.
+PREPOSITION = "avoiding"
+_ARRIVING = word_class("verbs_of_arriving")
+_AVOIDING = word_class("verbs_of_avoiding")
+_CROSSING = word_class("prepositions_of_crossing")
+_GOING = word_class("verbs_of_going")
+_NOT = word_class("not")
+_NOUNS = frozenset(["NOUN", "PROPN"])
+_OF_DEEDS = frozenset(["advcl", "xcomp", "conj", "parataxis", "acl", "dep"])
+_WAY = frozenset(["way", "route"])
+_WITHOUT = frozenset(["without"])
+
+
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl avoiding|VERB|1|advcl|avoid|VBG halls|NOUN|4|obj",
+        ("avoiding: advcl(go) VERB/avoid -> case(halls) ADP/avoiding", "halls: obj(avoiding) -> obl(go)"),
+    ),
+)
+@only_with(*_OF_DEEDS, "obl", "nmod")
+def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a preposition of what says where not to go: "go to the office *and avoid the hall on the way*", "*without
+    going through the hall*", "*but not through the hall*"."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        found = _avoided(tree, word)
+        if found is None:
+            continue
+        place, border = found
+        verb = _going_before(tree, word)
+        if verb is None:
+            continue
+        kept = frozenset(tree.subtree(place.index)) - _in_front(tree, place, border)
+        for index in tree.subtree(word.index):
+            if index not in kept and index != border:
+                edit.rehang(index, verb.index, "punct" if tree.word(index).upos == "PUNCT" else ASIDE)
+        edit.rehang(place.index, verb.index, "obl")
+        edit.respell(border, PREPOSITION)
+        edit.make_preposition(border, place.index)
+    return edit.tree()
+
+
+def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
+    """Return the place that is to be avoided, and the word that becomes its preposition; None if there is none."""
+    children = tree.children(word.index)
+    if word.lemma.lower() in _AVOIDING and word.deprel in _OF_DEEDS:
+        places = [child for child in children if child.deprel == "obj"]
+        is_plain = all(_is_beside(tree, child) for child in children if child not in places)
+        return (places[0], word.index) if len(places) == 1 and is_plain else None
+    if word.lemma.lower() in _GOING | _ARRIVING and word.deprel in _OF_DEEDS:
+        is_without = any(child.deprel == "mark" and child.form.lower() in _WITHOUT for child in children)
+        places = [child for child in children if child.deprel in ("obl", "obj")]
+        is_crossed = len(places) == 1 and (_crossing(tree, places[0]) or word.lemma.lower() in _ARRIVING)
+        return (places[0], word.index) if is_without and is_crossed else None
+    if word.upos in _NOUNS and word.deprel in ("conj", "obl", "nmod", "parataxis"):
+        first = min(tree.subtree(word.index))
+        said = [tree.word(index) for index in range(first, word.index)]
+        is_denied = any(one.form.lower() in _NOT for one in said)
+        border = _crossing(tree, word)
+        return (word, border) if is_denied and border else None
+    return None
+
+
+def _crossing(tree: DependencyTree, place: Word) -> int:
+    """Return the place of "through" or another word for crossing before a noun; 0 for none."""
+    cases = [child for child in tree.children(place.index) if child.deprel == "case"]
+    return next((case.index for case in cases if case.form.lower() in _CROSSING), 0)
+
+
+def _is_beside(tree: DependencyTree, child: Word) -> bool:
+    """Whether a word beside a verb of avoiding adds nothing: a pause, "and", "while", "on the way"."""
+    if child.deprel in ("punct", "cc", "mark"):
+        return True
+    return child.deprel == "obl" and child.lemma.lower() in _WAY and len(tree.subtree(child.index)) <= 3
+
+
+def _in_front(tree: DependencyTree, place: Word, border: int) -> FrozenSet[int]:
+    """Return the words below a place that stand before the border, and the border: ", but not *through* the hall"."""
+    before = [index for index in tree.subtree(place.index) if index <= border]
+    cases = [child.index for child in tree.children(place.index) if child.deprel == "case"]
+    return frozenset([*before, *cases])
+
+
+def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
+    """Return the verb of going that a word is attached to, directly or behind the goal."""
+    head = tree.word(word.head) if word.head else None
+    while head is not None and head.upos in _NOUNS and head.head:
+        head = tree.word(head.head)
+    # "Keep *visiting* the kitchen, avoiding the hall."
+    verbs = [] if head is None else [head, *(child for child in tree.children(head.index) if child.deprel == "xcomp")]
+    return next((verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING and verb.index != word.index), None)

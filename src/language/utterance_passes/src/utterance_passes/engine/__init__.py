@@ -1,0 +1,1 @@
+"""What is a pass, and how do passes run?"""

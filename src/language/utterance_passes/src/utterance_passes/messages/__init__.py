@@ -1,0 +1,1 @@
+"""Which words are to be said, or are spoken about?"""

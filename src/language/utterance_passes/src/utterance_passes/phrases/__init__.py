@@ -1,0 +1,1 @@
+"""Which clauses, amounts and times are in a sentence?"""

@@ -1,0 +1,1 @@
+"""Which verb, object or list do phrases share?"""

@@ -1,0 +1,69 @@
+"""Makes one list of items whose order is said: "visit the kitchen, *then* the office and *finally* the hall"."""
+
+from typing import Optional
+
+from utterance_passes.engine.pass_needs import only_with_forms
+from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree_edits import TreeEdit
+from utterance_passes.trees.vocabulary import Vocabulary
+from word_classes import word_class
+
+_ORDER = word_class("adverbs_of_order")
+_BORDERS = frozenset([",", "and", "then"])
+_NOUNS = frozenset(["NOUN", "PROPN"])
+#: Relations of an item that the parser attaches to the verb or to another item.
+_OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
+
+
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "visit|VERB|0|root halls|NOUN|1|obj ,|PUNCT|5|punct then|ADV|5|advmod offices|NOUN|1|parataxis",
+        ("then: advmod(offices) -> discourse:aside(offices)", "offices: parataxis(visit) -> conj(halls)"),
+    ),
+)
+@only_with_forms(_ORDER)
+def items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Set aside words of order before an item of a list, and attach the item to the item before it.
+
+    Lists are carried out in the order in which they were said. An item with a preposition is a phrase of its own:
+    "then to the office".
+    """
+    edit = TreeEdit(tree)
+    for adverb in tree.words:
+        item = _item(tree, adverb)
+        first = _item_before(tree, item, adverb) if item is not None else None
+        if item is not None and first is None and item.deprel == "vocative":
+            edit.relabel(item.index, "dep")  # Nobody is called "then Bob".
+        if item is None or first is None:
+            continue
+        edit.rehang(adverb.index, item.index, ASIDE)
+        if item.head != first.index:
+            edit.rehang(item.index, first.index, "conj")
+    return edit.tree()
+
+
+def _item(tree: DependencyTree, adverb: Word) -> Optional[Word]:
+    """Return the item of a list that begins with a word of order; None if there is none."""
+    if adverb.form.lower() not in _ORDER or not adverb.head or adverb.index < 3:
+        return None
+    item = tree.word(adverb.head)
+    children = tree.children(item.index)
+    if item.upos not in _NOUNS or item.index < adverb.index or item.deprel not in _OF_ITEMS:
+        return None
+    if any(child.deprel in ("case", "cop") or child.deprel.startswith("nsubj") for child in children):
+        return None
+    is_set_off = tree.word(adverb.index - 1).form.lower() in _BORDERS
+    return item if is_set_off else None
+
+
+def _item_before(tree: DependencyTree, item: Word, adverb: Word) -> Optional[Word]:
+    """Return the item to which another item is attached: the object or the goal of its verb; None for another head."""
+    head = tree.word(item.head)
+    if head.upos in _NOUNS:
+        return head
+    said = [child for child in tree.children(head.index) if head.index < child.index < adverb.index]
+    # "Bring Anna a cup, then Bob": a person is no second thing.
+    items = [child for child in said if child.deprel in ("obj", "iobj", "obl") and child.upos == item.upos]
+    return items[0] if head.upos == "VERB" and len(items) == 1 else None

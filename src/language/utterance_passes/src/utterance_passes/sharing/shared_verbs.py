@@ -1,0 +1,85 @@
+"""Gives one verb to two phrases: "go to the office and then to the kitchen", "turn left then right"."""
+
+from typing import List, Set, Tuple
+
+from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.phrases.clauses import (
+    Clause,
+    find_clauses,
+    has_case,
+    is_then,
+    may_share_a_verb,
+    shares_a_verb,
+    verb_above,
+)
+from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree_edits import TreeEdit, mark_sharing_a_verb
+from utterance_passes.trees.vocabulary import Vocabulary
+from word_classes import word_class
+
+_PAIRS = (word_class("states_of_devices"), word_class("ways_to_go"))
+_JOINING = frozenset(["and", "then"])
+
+
+@tree_pass(
+    Kind.MEANING,
+    Example(
+        "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
+        ("Eve: conj(go) -> obl(go)",),
+    ),
+)
+def shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Attach the second of two phrases that share a verb to the verb, like the first.
+
+    It is marked: ``find_clauses`` turns it into a clause of its own.
+    """
+    if not may_share_a_verb(tree):
+        return tree
+    tree = _with_next_phrases_at_verbs(tree)
+    edit = TreeEdit(tree)
+    sharing: Set[int] = set()
+    for clause in find_clauses(tree, vocabulary):
+        for first, word in particle_pairs(tree, clause):
+            sharing.add(word.index)
+            edit.retag(word.index, first.upos)
+            edit.rehang(word.index, clause.verb, first.deprel)
+            for between in tree.words[first.index : word.index - 1]:
+                edit.rehang(between.index, word.index, "cc" if between.form.lower() == "and" else "advmod")
+        for word in tree.children(clause.verb):
+            if word.index not in sharing and shares_a_verb(tree, word):
+                sharing.add(word.index)
+                if has_case(tree, word):
+                    edit.relabel(word.index, "obl")
+                else:
+                    edit.retag(word.index, "ADV")
+                    edit.relabel(word.index, "advmod")
+    return mark_sharing_a_verb(edit.tree(), frozenset(sharing))
+
+
+def _with_next_phrases_at_verbs(tree: DependencyTree) -> DependencyTree:
+    """Attach a phrase with "then" to the verb, not to a noun before it: what comes next is no part of a list."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        is_joined = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+        if is_joined and shares_a_verb(tree, word) and any(is_then(child) for child in tree.children(word.index)):
+            verb = verb_above(tree, word)
+            if verb.upos == "VERB" and verb.index < word.index:
+                edit.rehang(word.index, verb.index)
+    return edit.tree()
+
+
+def particle_pairs(tree: DependencyTree, clause: Clause) -> List[Tuple[Word, Word]]:
+    """Return the pairs of particles that one verb has in turn: "turn the light *on* and *off*"."""
+    said = [word for word in tree.words if word.index in clause.positions and word.index > clause.verb]
+    found = []
+    for place, first in enumerate(said):
+        behind = [word for word in said[place + 1 :] if word.form.lower() not in _JOINING]
+        if not behind or behind[0] is said[place + 1]:
+            continue
+        second = behind[0]
+        is_pair = any({first.form.lower(), second.form.lower()} <= words for words in _PAIRS)
+        # "Turn on the light and off the radio" has two objects.
+        is_shared = first.index == clause.verb + 1 or behind[1:2] == [] or behind[1].upos in ("PUNCT", "ADV")
+        if is_pair and is_shared and first.head == clause.verb:
+            found.append((first, second))
+    return found

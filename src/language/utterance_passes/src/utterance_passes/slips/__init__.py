@@ -1,0 +1,1 @@
+"""What did the speaker take back, or say twice?"""

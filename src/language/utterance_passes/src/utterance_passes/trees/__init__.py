@@ -1,0 +1,1 @@
+"""What is a parsed sentence, and how is one made of another?"""

@@ -1,0 +1,37 @@
+"""Tells whether a noun is a person, or a thing of some type."""
+
+from typing import Sequence
+
+from semantic_types import Fit, shipped_types
+from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+_INDEFINITE_PERSONS = word_class("indefinite_persons")
+
+
+def is_person(word: Word) -> bool:
+    """Whether a word names a person, or any person: "the nurse", "Bob", "somebody"."""
+    if word.form.lower() in _INDEFINITE_PERSONS:
+        return True
+    if word.upos not in ("NOUN", "PROPN"):
+        return False
+    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=word.upos == "PROPN")
+    return types.fit(["Human"]) is Fit.LIKELY
+
+
+def is_person_or_name(word: Word) -> bool:
+    """Whether a word names a person, or is a name of which nothing is known."""
+    return word.upos == "PROPN" or is_person(word)
+
+
+def is_name_of_person(word: Word) -> bool:
+    """Whether a word is a person's name, or one of which nothing is known: "Mary" and "Anna", but not "Monday"."""
+    if word.upos != "PROPN":
+        return False
+    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=True)
+    return types.fit(["Human"]) in (Fit.LIKELY, Fit.UNKNOWN)
+
+
+def is_likely(word: Word, types: Sequence[str]) -> bool:
+    """Whether a noun usually has one of some types."""
+    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY

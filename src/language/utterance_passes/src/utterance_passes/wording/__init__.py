@@ -1,0 +1,1 @@
+"""How is the text spelled, and where does a command begin in it?"""

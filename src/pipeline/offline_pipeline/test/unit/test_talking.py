@@ -1,0 +1,54 @@
+"""Utterances as people make them: fragments, small talk, clusters, and sentences with the marks of speech.
+
+Each line of a table says what must come out. A third of the lines was set aside until the rules were written.
+"""
+
+from typing import Dict
+
+import pytest
+from talking_table import Line, described, is_right, outcome_of, read_table
+
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Parameters, Pipeline
+from semantic_framer.values.outcome import MEANING_ONLY
+
+#: The least number of lines of each table that are right. The others ask or refuse.
+LEAST_RIGHT: Dict[str, int] = {"first_words": 56, "fragments": 77, "small_talk": 75, "clusters": 41, "spoken": 60}
+
+
+@pytest.fixture(scope="module")
+def pipeline() -> Pipeline:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY))
+
+
+@pytest.mark.parametrize("name", LEAST_RIGHT)
+def test_a_third_was_set_aside(name: str) -> None:
+    lines = read_table(name)
+    assert len(lines) >= 40
+    assert 3 * sum(line.is_held_out for line in lines) >= len(lines) - 3
+
+
+@pytest.mark.parametrize("name", LEAST_RIGHT)
+def test_table(pipeline: Pipeline, name: str) -> None:
+    right, wrong = 0, []
+    for line in read_table(name):
+        understanding = outcome_of(pipeline, line.said)
+        if is_right(understanding, line.expected):
+            right += 1
+        elif understanding.reply.outcome == "DONE" and understanding.readings:
+            wrong.append(f"{line}: {described(understanding)}")
+    assert not wrong, "acts wrongly"
+    assert right >= LEAST_RIGHT[name]
+
+
+@pytest.mark.parametrize("line", read_table("rules"), ids=str)
+def test_rules(pipeline: Pipeline, line: Line) -> None:
+    understanding = outcome_of(pipeline, line.said)
+    assert is_right(understanding, line.expected), described(understanding)
+
+
+def test_the_person_sees_what_a_typo_was_taken_for(pipeline: Pipeline) -> None:
+    (reading,) = pipeline.understand("Go to the kichen.").readings
+    assert reading.clause_text == "Go to the kitchen (said: kichen)"

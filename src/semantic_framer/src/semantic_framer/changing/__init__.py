@@ -1,0 +1,1 @@
+"""What does a fragment change in the last command?"""

@@ -1,0 +1,449 @@
+"""Reads clauses that say how things are ("the door is closed") by the patterns of lexical units of condition frames.
+
+A condition is read only if all of its words are understood. Its verbs are compared in their base form, without the
+auxiliaries of the present and the perfect; any other tense or mood ("if the door was open", "if Anna should come") is
+not understood. A negation of the whole clause is taken out, and kept beside the reading.
+"""
+
+from dataclasses import replace
+from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
+
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.word_patterns import argument_of, compiled, heads
+from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
+from semantic_framer.values.reading import Reading
+from semantic_framer.values.sentence import Sentence
+from semantic_frames.frame import Quantity, SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit, WordPattern
+from semantic_types import Fit
+from spoken_quantities import QuantityError, parse_measure, parse_number
+from typed_arguments import Measure, Source, TypedArgument
+from utterance_passes.phrases.clock_times import clock_time_at
+from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+_CONJUNCTIONS: Mapping[str, str] = {"and": "ALL", "or": "ANY"}
+_DO = word_class("forms_of_do")
+_NOT = word_class("not")
+_NOBODY = word_class("indefinite_persons_denied")
+_NOTHING = word_class("indefinite_things_denied")
+_ANYBODY = word_class("indefinite_persons_asked")
+_PADDING = word_class("condition_padding")
+_STATES = word_class("state_particles")
+_OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
+_CLITIC_BE = frozenset(["'s", "’s"])
+_NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_class("negations")
+_FORMS_OF_BE = word_class("forms_of_be")
+#: Universal tags of words that are in no noun phrase, and of words that may end one.
+_NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
+_NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
+_OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
+_ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
+_ALTERNATIVE = word_class("words_before_alternatives")
+#: What somebody can come to.
+_DESTINATIONS = ("Location", "Physical_object")
+
+
+class _Words(NamedTuple):
+    """The words of a clause as patterns have them.
+
+    Attributes:
+        forms: in lower case; verbs in their base form
+        words: each form's word
+        is_negated: whether a negation was taken out
+        is_anew: whether an "again" was taken out
+        renamed: what a word that was changed stands for, by its position: "somebody" for "nobody"
+    """
+
+    forms: List[str]
+    words: List[Word]
+    is_negated: bool
+    is_anew: bool
+    renamed: Dict[int, str]
+
+
+def is_auxiliary(word: Word) -> bool:
+    """Whether a word may begin a question; "is" in "is there a mug" is a verb to the parser."""
+    return word.upos == "AUX" or word.form.lower() in _FORMS_OF_BE
+
+
+def read_condition(
+    sentence: Sentence,
+    known: FramedLexicon,
+    positions: Sequence[int],
+    *,
+    is_until: bool = False,
+    must_last: bool = False,
+    somebody: int = 0,
+) -> Optional[ConditionPart]:
+    """Read some words as a condition.
+
+    Args:
+        sentence: the sentence
+        known: lexical units and frames
+        positions: of the words, in order
+        is_until: whether "until" stands before them, so that a place means to be there: "until the wall"
+        must_last: whether "while" stands before them: what happens in a moment cannot go on
+        somebody: position of a word that means one of many: "greet *everybody* who comes in"; 0 for none
+    Returns:
+        None if one of the words is not understood
+    """
+    if _has_foreign_comma(sentence, positions):
+        return None
+    if somebody:
+        one = _read_one(sentence, known, positions, is_until, somebody)
+        return one if one is not None and happens(one, sentence.tree, known.frames) else None
+    read = _read_whole(
+        sentence, known, [index for index in positions if sentence.word(index).upos != "PUNCT"], is_until
+    )
+    return None if read is None or (must_last and is_momentary(read, known.frames)) else read
+
+
+def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[ConditionPart]:
+    """Read what is asked for as a condition: "whether *the door is open*", "*is the door open*".
+
+    Args:
+        sentence: the sentence
+        known: lexical units and frames
+        positions: of the words, in order; the auxiliary at the front of a question is read behind the subject
+    Returns:
+        None if one of the words is not understood
+    """
+    if not positions or not is_auxiliary(sentence.word(positions[0])):
+        return read_condition(sentence, known, positions)
+    auxiliary, *rest = positions
+    for behind in range(1, len(rest) + 1):
+        subject, predicate = rest[:behind], rest[behind:]
+        condition = read_condition(sentence, known, [*subject, auxiliary, *predicate])
+        if condition is not None:
+            words = [sentence.text(subject), sentence.word(auxiliary).form.lower(), sentence.text(predicate)]
+            return replace(condition, words=" ".join(words).strip())
+    return None
+
+
+def _has_foreign_comma(sentence: Sentence, positions: Sequence[int]) -> bool:
+    """Whether a mark among some words does not stand between the items of a list: "when Anna comes, *greet her*"."""
+    marks = [index for index in positions if sentence.word(index).upos == "PUNCT"]
+    items = [index for index in positions if sentence.word(index).deprel == "conj"]
+    return any(
+        not any(item > mark > sentence.word(item).head and sentence.word(item).upos in _NOUNS for item in items)
+        for mark in marks
+    )
+
+
+def _read_whole(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], is_until: bool
+) -> Optional[ConditionPart]:
+    whole = _read_one(sentence, known, positions, is_until)
+    if whole is not None:
+        return whole
+    joints = [index for index in positions if sentence.word(index).form.lower() in _CONJUNCTIONS]
+    kinds = {_CONJUNCTIONS[sentence.word(index).form.lower()] for index in joints}
+    if len(kinds) != 1:
+        return None
+    parts: List[List[int]] = [[]]
+    for index in positions:
+        if index in joints:
+            parts.append([])
+        else:
+            parts[-1].append(index)
+    found = [_read_one(sentence, known, part, is_until) for part in parts]
+    read = tuple(part for part in found if part is not None)
+    return ConditionPart(kinds.pop(), frozenset(positions), children=read) if len(read) == len(parts) else None
+
+
+def _read_one(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], is_until: bool, somebody: int = 0
+) -> Optional[ConditionPart]:
+    if positions and is_auxiliary(sentence.word(positions[0])):
+        return None  # "When does Anna come" is a question.
+    said = _words(sentence, positions, somebody)
+    if said is None or not said.forms:
+        return None
+    found = [
+        reading
+        for unit in known.lexicon.condition_units(said.forms)
+        for frame in [known.frames.get(unit.frame_name)]
+        if frame is not None and frame.is_condition
+        for reading in [_first_match(sentence, unit, frame, said, is_until)]
+        if reading is not None
+    ]
+    if not found:
+        return None
+    # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
+    best = max(found, key=lambda reading: len(reading.verb_positions))
+    return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
+
+
+def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> Optional[ConditionPart]:
+    """Return a condition, or one for each item of a list: "if you see Anna or Bob"."""
+    one = ConditionPart("CONDITION", positions, reading, is_negated=said.is_negated, is_anew=said.is_anew)
+    lists = [argument for argument in reading.arguments if argument.separate_members]
+    if not lists:
+        return one
+    kind = _CONJUNCTIONS.get(lists[0].conjunction)
+    if len(lists) > 1 or kind is None or said.is_negated:
+        return None  # "If Anna and Bob are not here" leaves open whether one of them may be.
+    items = tuple(
+        replace(
+            one,
+            reading=replace(
+                reading,
+                arguments=tuple(item if argument is lists[0] else argument for argument in reading.arguments),
+            ),
+        )
+        for item in lists[0].separate_members
+    )
+    return ConditionPart(kind, positions, children=items)
+
+
+def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> Optional[_Words]:
+    """Return the words of a clause as patterns have them; None if its tense or mood is none of a condition."""
+    forms: List[str] = []
+    words: List[Word] = []
+    renamed: Dict[int, str] = {}
+    negations = 0
+    is_anew = False
+    for index in positions:
+        word = sentence.word(index)
+        form = word.form.lower()
+        if word.upos == "PUNCT" or index in sentence.tree.fillers:
+            continue
+        if form in _NOT or (form == "no" and word.deprel == "det"):
+            negations += 1
+        elif form == "again":
+            is_anew = True
+        elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word) or form in _ALTERNATIVE:
+            continue
+        else:
+            is_denied = form == "one" and index > 1 and sentence.word(index - 1).form.lower() == "no"
+            if is_denied:
+                renamed[index] = "somebody"
+            elif form in _NOBODY | _NOTHING:
+                negations += 1
+                renamed[index] = "somebody" if form in _NOBODY else "something"
+            elif form in _ANYBODY or index == somebody:
+                renamed[index] = "somebody"
+            spelled = renamed.get(index) or _spelled(sentence, word)
+            if spelled is None:
+                return None
+            forms.append(spelled)
+            words.append(word)
+    return _Words(forms, words, negations == 1, is_anew, renamed) if negations < 2 else None
+
+
+def _is_empty_auxiliary(sentence: Sentence, word: Word) -> bool:
+    """Whether a word only makes a form of the present or the perfect: "does", "has", "is coming"."""
+    if word.deprel != "aux" or word.upos != "AUX":
+        return False
+    form, tag = word.form.lower(), sentence.word(word.head).xpos
+    if word.xpos == "VBD":
+        return False
+    if form in _DO:
+        return tag in ("VB", "VBP")
+    if word.lemma.lower() == "have":
+        return tag in ("VBN", "VBD")
+    return word.lemma.lower() == "be" and tag == "VBG"
+
+
+def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
+    """Return a word as patterns have it; None if it is a verb of the past."""
+    form = word.form.lower()
+    if form in _CLITIC_BE and _stands_before_a_state(sentence, word):
+        return "be"
+    children = sentence.children(word.index)
+    if word.xpos == "NNS" and word.deprel == "acl:relcl" and any(child.deprel == "nsubj" for child in children):
+        return word.lemma.lower()  # "Everybody who leaves": the tagger takes it for the plural of a noun.
+    if word.upos not in ("VERB", "AUX"):
+        return form
+    if form == "ca" and word.lemma.lower() == "can":
+        return "can"  # "You ca n't see".
+    is_perfect = any(
+        child.deprel == "aux" and child.lemma.lower() == "have" and child.xpos != "VBD" for child in children
+    )
+    if word.lemma.lower() == "be":
+        return "be" if word.xpos in ("VBZ", "VBP", "VB") or is_perfect or _follows_have(sentence, word) else None
+    if word.xpos in ("VBN", "VBD"):
+        is_passive = any(child.deprel in ("aux:pass", "cop") for child in children)
+        if is_perfect and not is_passive:
+            return word.lemma.lower()
+        return form if is_passive or word.xpos == "VBN" else None
+    is_going_on = any(child.deprel == "aux" and child.lemma.lower() == "be" for child in children)
+    if word.xpos == "VBG":
+        return word.lemma.lower() if is_going_on or is_perfect else form
+    return word.lemma.lower() if word.xpos in ("VB", "VBP", "VBZ") else form
+
+
+def _stands_before_a_state(sentence: Sentence, word: Word) -> bool:
+    """Whether a clitic that the parser takes for a possessive means "is": "the light's on"."""
+    said = sentence.tree.words[word.index : word.index + 2]
+    behind = [one for one in said if one.form.lower() not in _PADDING][:1]
+    return bool(behind) and (behind[0].upos == "ADJ" or behind[0].form.lower() in _STATES)
+
+
+def _follows_have(sentence: Sentence, word: Word) -> bool:
+    """Whether "been" stands in a present perfect: "has been opened"."""
+    around = sentence.children(word.head) if word.head else ()
+    return word.xpos == "VBN" and any(
+        other.lemma.lower() == "have" and other.deprel == "aux" and other.xpos != "VBD" for other in around
+    )
+
+
+def _first_match(
+    sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, said: _Words, is_until: bool
+) -> Optional[Reading]:
+    return next(
+        (
+            reading
+            for pattern in unit.conditions
+            for reading in [_match(sentence, unit, frame, pattern, said, is_until)]
+            if reading is not None
+        ),
+        None,
+    )
+
+
+def _match(
+    sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, pattern: WordPattern, said: _Words, is_until: bool
+) -> Optional[Reading]:
+    match = compiled(pattern).fullmatch(" ".join(said.forms))
+    if match is None:
+        return None
+    arguments: List[TypedArgument] = []
+    inside: List[int] = []
+    for name, kind in pattern.slots:
+        if match.group(name) is None:
+            continue
+        first = len(match.string[: match.start(name)].split())
+        words = said.words[first : first + len(match.group(name).split())]
+        argument = _argument(sentence, frame, name, kind, words, said.renamed, is_until)
+        if argument is None:
+            return None
+        inside += [word.index for word in words]
+        arguments.append(argument)
+    arguments += [TypedArgument(name, text, Source.INFERRED) for name, text in unit.values.items()]
+    filled = {argument.name for argument in arguments}
+    order = [element.name for element in frame.frame_elements]
+    own = tuple(word.index for word in said.words if word.index not in inside)
+    return Reading(
+        unit=unit,
+        verb=pattern.text,
+        verb_positions=own,
+        arguments=tuple(sorted(arguments, key=lambda one: order.index(one.name))),
+        missing=tuple(element for element in frame.frame_elements if element.is_core and element.name not in filled),
+        left_over=(),
+        coverage=1.0,
+    )
+
+
+def _argument(
+    sentence: Sentence,
+    frame: SemanticFrame,
+    name: str,
+    kind: str,
+    words: Sequence[Word],
+    renamed: Mapping[int, str],
+    is_until: bool,
+) -> Optional[TypedArgument]:
+    """Return what some words fill an element with; None if they cannot."""
+    positions = [word.index for word in words]
+    element = frame.element(name)
+    if kind == "state":
+        return argument_of(sentence, name, positions) if _is_state(words[0]) else None
+    if kind == "clock":
+        clock = clock_time_at(["at", *(word.form.lower() for word in words)])
+        is_whole = clock is not None and clock.length == len(words) + 1
+        is_once = clock is not None and clock.when is not None and clock.when.kind == "time"
+        if clock is None or not (is_whole and is_once):
+            return None
+        text = sentence.text(positions)
+        return replace(argument_of(sentence, name, positions), text=text, words=text, time=clock.when)
+    if kind == "word" and words[0].form.lower() not in _NO_PHRASE:
+        return argument_of(sentence, name, positions)
+    quantity = element.quantity if element is not None else None
+    if quantity is not None:
+        return _amount(sentence, name, positions, quantity)
+    is_renamed = len(words) == 1 and words[0].index in renamed
+    if not is_renamed and not _is_phrase(sentence, words, is_place=kind == "place"):
+        return None
+    argument = argument_of(sentence, name, positions)
+    if argument.is_negated or (kind == "destination" and not (is_until and _is_destination(sentence, argument))):
+        return None
+    types = element.semantic_types if element is not None else ()
+    if types and not is_renamed and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
+        return None
+    if kind == "place" and (_is_duration(argument.text) or _is_time(sentence, argument)):
+        return None  # "If I am not back *in ten minutes*", "if you see Anna *at six*": they say when.
+    new = renamed.get(argument.head_position)
+    return replace(argument, text=new, words=new, head=new, lemma=new) if new else argument
+
+
+def _is_state(word: Word) -> bool:
+    form = word.form.lower()
+    return form in _STATES or (word.upos in ("ADJ", "VERB") and word.xpos in _ADJECTIVES)
+
+
+def _is_destination(sentence: Sentence, argument: TypedArgument) -> bool:
+    """Whether somebody can come to a thing or a place: "the wall", but not "lunch"."""
+    is_named = bool(argument.quantifier or argument.possessor or argument.count)
+    is_place = sentence.types.fit(argument.head_position, _DESTINATIONS) is Fit.LIKELY
+    return is_named and is_place and not _is_time(sentence, argument)
+
+
+def _is_time(sentence: Sentence, argument: TypedArgument) -> bool:
+    return any(time & frozenset(argument.positions) for time in sentence.tree.times)
+
+
+def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> bool:
+    """Whether words are one noun phrase, with phrases of place and of-phrases at most."""
+    positions = [word.index for word in words]
+    if any(word.upos in _NO_NOUNS and word.deprel not in ("amod", "compound") for word in words):
+        return False
+    if any(word.form.lower() in _NO_PHRASE - _NOBODY - _NOTHING for word in words):
+        return False
+    if is_place and len(words) == 1:
+        return True
+    if not any(word.upos in _NOUNS for word in (words[0], words[-1])) and words[0].upos != "DET":
+        return False
+    is_list = any(word.deprel == "conj" and word.upos in _NOUNS and word.head in positions for word in words)
+    if any(word.upos == "CCONJ" and not is_list for word in words) or any(map(_is_number_choice, words)):
+        return False
+    # "In the kitchen with Bob": only places tell which thing or place is meant.
+    behind = words if is_place else words[1:]
+    if any(word.upos == "ADP" and word.form.lower() not in _OF_PLACES for word in behind):
+        return False
+    if not is_place and words[0].upos == "ADP":
+        return False
+    if words[0].upos == "DET" and all(word.upos in _OF_BARE_PHRASES for word in words[1:]):
+        # "The bell rings" is hardly a verb for the parser; an article makes a phrase of what follows.
+        return len(words) > 1
+    return len(heads(sentence.tree, positions)) == 1 and words[-1].upos in _NOUNS | {"ADV"}
+
+
+def _is_number_choice(word: Word) -> bool:
+    """Whether a number is one of several: "two or *three* persons"."""
+    return word.upos == "NUM" and word.deprel == "conj"
+
+
+def _is_duration(text: str) -> bool:
+    try:
+        parse_measure(text, quantity=Quantity.DURATION.value)
+    except QuantityError:
+        return False
+    return True
+
+
+def _amount(sentence: Sentence, name: str, positions: Sequence[int], quantity: Quantity) -> Optional[TypedArgument]:
+    text = sentence.text(positions)
+    try:
+        if quantity is Quantity.NUMBER:
+            number = parse_number(text)
+            measure = Measure(quantity.value, text, number, "", number)
+        else:
+            read = parse_measure(text, quantity=quantity.value)
+            measure = Measure(quantity.value, text, read.amount, read.unit, read.si_amount)
+    except QuantityError:
+        return None
+    return TypedArgument(
+        name, text, words=text, positions=tuple(positions), head_position=positions[-1], measure=measure
+    )

@@ -1,0 +1,1 @@
+"""Which words fill which element of a frame?"""

@@ -1,0 +1,1 @@
+"""How do conditions, times and lists join the deeds of a sentence?"""

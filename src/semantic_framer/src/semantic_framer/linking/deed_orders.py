@@ -1,0 +1,227 @@
+"""Finds words that say in which order deeds or the items of a list are done, and how often.
+
+"Before you go, close the door", "go to the hall after closing the door", "visit the hall and the office in any order",
+"visit the office only after the hall", "at least twice".
+"""
+
+from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
+
+from semantic_framer.linking.link_file import LinkKind, shipped_links
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.values.iterations import times_said
+from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+_HEARERS = word_class("hearers")
+_HAVE = word_class("forms_of_have") | {"having"}
+_NEGATIONS = word_class("negations")
+_ONLY = word_class("restricting_adverbs")
+_FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
+_JOINING = word_class("clause_borders") | {","}
+_BEING_THERE = word_class("verbs_of_being_there")
+_CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
+#: Tags of the verb behind "before you", "before you have" and "before".
+_BARE = frozenset(["VB", "VBP"])
+#: The longest phrase that names a thing, in words.
+_LONGEST_PHRASE = 5
+
+
+class DeedBehind(NamedTuple):
+    """Words before a deed that another deed precedes or follows.
+
+    Attributes:
+        kind: BEFORE, AFTER or MEANWHILE
+        length: number of the words: "before", "before you", "after having"
+        verb: position of the verb of the deed in the sentence
+    """
+
+    kind: LinkKind
+    length: int
+    verb: int
+
+
+class Times(NamedTuple):
+    """A least or a largest number of times, and the number of its words."""
+
+    kind: LinkKind
+    number: int
+    length: int
+
+
+class ItemOrder(NamedTuple):
+    """Which of two items of a list comes before the other.
+
+    Attributes:
+        length: number of words that say so
+        earlier, later: the content words of each item; empty for all other items: "visit the office *last*"
+        is_list: whether these words are the list: "the office only after the hall"; else the items were said before
+        is_doubtful: whether they may say where a thing is: "the room before the office"
+        border: place of "before" or "after" among the words; only for a new list
+    """
+
+    length: int
+    earlier: FrozenSet[str]
+    later: FrozenSet[str]
+    is_list: bool = False
+    is_doubtful: bool = False
+    border: int = 0
+
+
+def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexicon) -> Optional[DeedBehind]:
+    """Return the words before a deed that some words begin with; None if they begin with others.
+
+    Args:
+        words: from the first of them to the end of the sentence
+        forms: their forms in lower case
+        known: lexical units; the deed must begin with one of their verbs
+    """
+    link, place = shipped_links().deed_link_at(forms)
+    if link is None:
+        return None
+    tags: FrozenSet[str] = frozenset(["VBG"])
+    if forms[place : place + 1] and forms[place] in _HEARERS:
+        place, tags = place + 1, _BARE
+    if forms[place : place + 1] and forms[place] in _HAVE:
+        place, tags = place + 1, frozenset(["VBN", "VBD"])
+    if place >= len(words) or words[place].xpos not in tags:
+        return None
+    verb = words[place]
+    spoken = {verb.lemma.lower(), " ".join([verb.lemma, *forms[place + 1 : place + 2]]).lower()}
+    if link.kind is LinkKind.BEFORE and spoken & _BEING_THERE:
+        return None  # "Turn left before you reach the stairs" does not send the robot there.
+    return DeedBehind(link.kind, place, verb.index) if known.verbs_beginning_with(verb.lemma.lower()) else None
+
+
+def times_at(forms: Sequence[str]) -> Optional[Times]:
+    """Return the least or the largest number of times that words in lower case begin with: "at least twice"."""
+    link, place = shipped_links().count_at(forms)
+    said = times_said(forms[place:]) if link is not None else None
+    return Times(link.kind, said[0], place + said[1]) if link is not None and said is not None else None
+
+
+def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:
+    """Return which item is the first or the last one: ", the kitchen first", "and visit the office last".
+
+    Args:
+        words: of the sentence
+        place: where the words may begin
+        verbs: of the sentence, in their base form; one may be said again
+    """
+    start = place
+    while start < len(words) and words[start].form.lower() in _JOINING:
+        start += 1
+    if start == place or not place:
+        return None
+    if start < len(words) and words[start].lemma.lower() in verbs:
+        start += 1
+    item = _phrase(words, start, before=_FIRST | _LAST)
+    end = start + item
+    if not item or end >= len(words) or words[end].form.lower() not in _FIRST | _LAST:
+        return None
+    if end + 1 < len(words) and words[end + 1].upos != "PUNCT":
+        return None
+    name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
+    is_first = words[end].form.lower() in _FIRST
+    return ItemOrder(end + 1 - place, name if is_first else none, none if is_first else name) if name else None
+
+
+def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
+    """Return the order of two items that begins at a place: ", but not the hall before the office".
+
+    Args:
+        words: of the sentence
+        place: where the words may begin
+    """
+    start, is_denied = place, False
+    while start < len(words) and words[start].form.lower() in _JOINING | _NEGATIONS | _ONLY:
+        is_denied = is_denied or words[start].form.lower() in _NEGATIONS
+        start += 1
+    one = _phrase(words, start)
+    border = start + one
+    behind, is_only, is_not = _restriction(words, border)
+    border = behind
+    if not one or border >= len(words):
+        return None
+    link, length = shipped_links().deed_link_at([word.form.lower() for word in words[border:]])
+    other = _phrase(words, border + length) if link is not None and length else 0
+    if link is None or link.kind is LinkKind.MEANWHILE or not other:
+        return None
+    end = border + length + other
+    if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].form.lower() not in _JOINING:
+        return None
+    first, second = _content(words[start : start + one]), _content(words[end - other : end])
+    if not first or not second or first == second:
+        return None
+    is_before = link.kind is LinkKind.BEFORE
+    earlier, later = (first, second) if is_before != (is_denied or is_not) else (second, first)
+    said = _content(words[:place])
+    if start > place and first <= said and second <= said:
+        return ItemOrder(end - place, earlier, later)
+    if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
+        return None
+    return ItemOrder(end - place, earlier, later, True, not is_not and (is_before or not is_only), border)
+
+
+def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:
+    """Return the place behind the words between an item and "before", and whether they have an "only" and a "not": "the
+    hall *only* after the office", "the hall, *but not* before the office"."""
+    end, is_only, is_not = place, False, False
+    while end < len(words) and words[end].form.lower() in _JOINING:
+        end += 1
+    begin = end
+    while end < len(words) and words[end].form.lower() in _ONLY | _NEGATIONS:
+        is_only = is_only or words[end].form.lower() in _ONLY
+        is_not = is_not or words[end].form.lower() in _NEGATIONS
+        end += 1
+    return (end, is_only, is_not) if end > begin else (place, False, False)
+
+
+def _phrase(words: Sequence[Word], start: int, *, before: FrozenSet[str] = frozenset()) -> int:
+    """Return the number of words of the noun phrase with an article that begins at a place; 0 for none.
+
+    Args:
+        words: of the sentence
+        start: the place
+        before: words that the phrase ends before
+    """
+    if start >= len(words) or words[start].upos not in ("DET", "PROPN"):
+        return 0
+    end = start + 1
+    while end < len(words) and end - start < _LONGEST_PHRASE and words[end].upos in _CONTENT:
+        if words[end].form.lower() in before:
+            break
+        end += 1
+    return end - start if words[end - 1].upos in ("NOUN", "PROPN") else 0
+
+
+def _content(words: Sequence[Word]) -> FrozenSet[str]:
+    found: List[str] = [word.form.lower() for word in words if word.upos in _CONTENT]
+    return frozenset(found)
+
+
+def sorted_by(names: Sequence[FrozenSet[str]], orders: Sequence[ItemOrder]) -> Optional[Tuple[int, ...]]:
+    """Return the places of items in an order that obeys all orders; None if there is none, or an item is not there.
+
+    Args:
+        names: the content words of each item
+        orders: what must come before what
+    """
+    left: List[int] = list(range(len(names)))
+    done: List[int] = []
+    pairs = []
+    for order in orders:
+        pair = [
+            [place for place, name in enumerate(names) if item and item <= name]
+            for item in (order.earlier, order.later)
+        ]
+        if any(item and len(found) != 1 for found, item in zip(pair, (order.earlier, order.later))):
+            return None
+        earlier, later = (found or [place for place in left if place not in pair[0] + pair[1]] for found in pair)
+        pairs += [(one, other) for one in earlier for other in later]
+    while left:
+        free = [place for place in left if not any(later == place and earlier in left for earlier, later in pairs)]
+        if not free:
+            return None
+        done.append(free[0])
+        left.remove(free[0])
+    return tuple(done)

@@ -1,0 +1,1 @@
+"""Which thing, person or place is meant?"""

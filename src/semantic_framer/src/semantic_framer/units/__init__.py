@@ -1,0 +1,1 @@
+"""Which frames and lexical units does the robot know, and what do they ask for?"""

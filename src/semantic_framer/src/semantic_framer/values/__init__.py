@@ -1,0 +1,1 @@
+"""What is a sentence, a reading, a plan of clauses, an outcome?"""
