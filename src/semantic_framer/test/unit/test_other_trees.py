@@ -119,9 +119,18 @@ def test_a_tree_that_says_more_is_taken_if_it_is_likely(said: Said, text: str, m
     assert said(text, least=1.0) != found
 
 
+def test_a_verb_has_one_object_so_that_one_of_two_is_a_part_of_the_other(said: Said) -> None:
+    text = "set the living room lights to red"
+    found = said(text)
+    assert found == ["switching_device(device=the living room lights, operational_state=red)"]
+    assert said(text, frozenset([RULE])) == ["LEFT_OVER_WORDS"]
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
+        # What has an article of its own is no part of the next word.
+        ("take the red cup barefoot", "LEFT_OVER_WORDS"),
         # To hide the words in a thing is no way to understand them.
         ("Grab the cup with the tongs.", "LEFT_OVER_WORDS"),
         ("go to the office frobnicatingly", "LEFT_OVER_WORDS"),

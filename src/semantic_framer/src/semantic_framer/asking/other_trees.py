@@ -189,7 +189,8 @@ def _merit(other: _OtherTree, heard: Heard, before: Heard, doubts: Sequence[str]
         return 0.0
     if not old:
         is_one = not isinstance(before.outcome, Question) or len(new) == 1
-        return other.probability if other.positions <= heads_of(new) and is_one else 0.0
+        is_named = other.positions <= heads_of(new) | _parts_of_objects(before, other)
+        return other.probability if is_named and is_one else 0.0
     more = _said(new) - _said(old)
     by_elements = math.log(other.ratio) + more * _OF_AN_ELEMENT
     if doubts:
@@ -198,6 +199,24 @@ def _merit(other: _OtherTree, heard: Heard, before: Heard, doubts: Sequence[str]
     is_planned = any(one.outcome.plan is not None for one in (heard, before) if isinstance(one.outcome, Understood))
     is_named = other.positions <= heads_of(new)
     return by_elements if more > 0 and is_same and is_named and not is_planned else 0.0
+
+
+def _parts_of_objects(before: Heard, other: _OtherTree) -> FrozenSet[int]:
+    """Return the words that another tree makes the front of a compound, and that were objects beside it: Universal
+    Dependencies gives a verb one object, "turn on the *living room* light"."""
+    if before.sentence is None:
+        return frozenset()
+    tree = before.sentence.tree
+    return frozenset(
+        one.word
+        for one in other.changed
+        if one.deprel == "compound" and one.word < one.head
+        for word, head in [(tree.word(one.word), tree.word(one.head))]
+        if word.deprel == head.deprel == "obj"
+        and word.head == head.head
+        # "Take the red cup barefoot": what has an article is a phrase of its own.
+        and all(child.deprel == "compound" for child in tree.children(word.index))
+    )
 
 
 def _said(readings: Sequence[Reading]) -> int:
