@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Iterator, List, Tuple
+from typing import TYPE_CHECKING, Iterator, List, Tuple
 
 from command_models.errors import TrainingError
+
+if TYPE_CHECKING:
+    from semantic_frames.lexical_unit import LexicalUnit
 
 PARTICLES = frozenset("up down on off out over".split())
 ADVERBS = frozenset("back away around round along forward backward backwards".split())
@@ -41,44 +44,46 @@ class Unit:
 
 
 def read_units(folder: Path) -> List[Unit]:
-    """Return the verbs of all ``lexical_units/*.yaml`` below a folder.
+    """Return the verbs of all ``lexical_units/*.yaml`` below a folder, with what they inherit from their frames.
 
     Idioms of more than a verb and a particle are left out: their words are no construction.
 
     Raises:
         TrainingError: there are none
+        FileRefused: a file has mistakes
     """
-    import yaml
+    from semantic_frames import load_frame, load_lexical_units
+    from semantic_frames.roles import with_inherited
 
+    frames = {}
+    for path in sorted(folder.glob("**/frames/*.yaml")):
+        frame = load_frame(path.read_text(encoding="utf-8"), str(path))
+        frames[frame.name] = frame
     found: List[Unit] = []
     for path in sorted(folder.glob("**/lexical_units/*.yaml")):
-        content = yaml.safe_load(path.read_text(encoding="utf-8")) or []
-        for entry in content if isinstance(content, list) else content.get("lexical_units", [content]):
-            found += _units(entry)
+        for unit in load_lexical_units(path.read_text(encoding="utf-8"), str(path)):
+            known = frames.get(unit.frame_name)
+            found += _units(with_inherited(unit, known) if known is not None else unit)
     if not found:
         raise TrainingError(f"{folder}: no lexical_units/*.yaml with verbs below; expected the domains of a robot")
     return list(dict.fromkeys(found))
 
 
-def _listed(value: Any) -> List[str]:
-    return [value] if isinstance(value, str) else list(value or ())
-
-
-def _units(entry: Any) -> Iterator[Unit]:
+def _units(unit: "LexicalUnit") -> Iterator[Unit]:
     objects: List[str] = []
     slots: List[Slot] = []
-    for element in entry.get("frame_element_grammatical_relations") or ():
-        relations = [relation for relation in _listed(element.get("relation")) if "/" not in relation]
+    for element in unit.relations:
+        relations = [path.steps[0] for path in element.relations if len(path.steps) == 1]
         if "dobj" in relations:
-            objects.append(element["name"])
+            objects.append(element.name)
         kept = tuple(
             relation
             for relation in relations
             if relation.startswith("prep_") or relation in ("iobj", "advmod", "measure", "tmod")
         )
         if kept:
-            slots.append(Slot(element["name"], kept))
-    for verb in _listed(entry.get("verb")):
+            slots.append(Slot(element.name, kept))
+    for verb in unit.verbs:
         first, *others = verb.split()
         if not first.isalpha() or first in ("be", "need", "want") or len(others) > 1:
             continue

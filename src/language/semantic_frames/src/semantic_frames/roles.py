@@ -119,4 +119,8 @@ def with_inherited(unit: LexicalUnit, frame: SemanticFrame) -> LexicalUnit:
         order = rank * len(frame.frame_elements) + place
         found = [relation for change in changes for relation in change.of(usual)] if changes else usual
         relations += [(order, replace(relation, line=relation.line or unit.line)) for relation in found]
-    return replace(unit, relations=tuple(relation for _, relation in sorted(relations, key=lambda one: one[0])))
+    # What the unit says of an element that the frame lacks fills nothing, and counts as in a unit that lists it.
+    known = {element.name for element in frame.frame_elements}
+    others = [one.relation for one in unit.changes if one.relation.relations and one.relation.name not in known]
+    ordered = [relation for _, relation in sorted(relations, key=lambda one: one[0])]
+    return replace(unit, relations=(*ordered, *others))

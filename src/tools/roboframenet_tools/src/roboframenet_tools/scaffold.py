@@ -175,6 +175,9 @@ def _unit(ability: Ability) -> str:
         elif element.values:
             words = ", ".join(element.values)
             special.append(f"  {element.name}: {{relation: [{', '.join(found)}], words: [{words}]}}")
+        elif element.quantity and found != ["measure"]:
+            # A number in a phrase is the word itself: "count to seven".
+            special.append(f"  {element.name}: {{relation: [{', '.join(found)}], argument: head}}")
         elif not element.quantity and (found != ["dobj"] or not element.is_core):
             special.append(f"  {element.name}: [{', '.join(found)}]")
     examples = [f"  {_key(_said(text, ability.verb))}: {filled}" for text, filled in _examples(ability)]
