@@ -62,8 +62,7 @@ def read_units(folder: Path) -> List[Unit]:
     found: List[Unit] = []
     for path in sorted(folder.glob("**/lexical_units/*.yaml")):
         for unit in load_lexical_units(path.read_text(encoding="utf-8"), str(path)):
-            known = frames.get(unit.frame_name)
-            found += _units(with_inherited(unit, known) if known is not None else unit)
+            found += _units(with_inherited(unit, frames.get(unit.frame_name)))
     if not found:
         raise TrainingError(f"{folder}: no lexical_units/*.yaml with verbs below; expected the domains of a robot")
     return list(dict.fromkeys(found))

@@ -73,11 +73,13 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     root = reader.compose(text, "a mapping with name")
     entries = reader.mapping(root, "", FRAME_KEYS, required=("name",))
     elements = _elements(reader, entries.get("frame_elements"), has_framenet="framenet" in entries)
-    acts = not {"is_question", "is_condition"} & set(entries)
+    is_question = reader.boolean(entries.get("is_question"), "is_question")
+    is_condition = reader.boolean(entries.get("is_condition"), "is_condition")
+    has_fillers = "framenet" in entries and not (is_question or is_condition)
     frame = SemanticFrame(
         name=reader.graph_name(entries.get("name"), "name"),
         description=reader.text(entries.get("description"), "description"),
-        frame_elements=tuple(map(_with_filler, elements)) if acts and "framenet" in entries else elements,
+        frame_elements=tuple(map(_with_filler, elements)) if has_fillers else elements,
         children=_children(reader, entries.get("children"), elements),
         framenet=reader.text(entries.get("framenet"), "framenet"),
         on_list=ListPolicy(
@@ -91,8 +93,8 @@ def load_frame(text: str, path: str) -> SemanticFrame:
             )
         ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
-        is_question=reader.boolean(entries.get("is_question"), "is_question"),
-        is_condition=reader.boolean(entries.get("is_condition"), "is_condition"),
+        is_question=is_question,
+        is_condition=is_condition,
         path=path,
         line=line_of(root),
     )

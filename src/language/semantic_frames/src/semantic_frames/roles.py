@@ -104,12 +104,16 @@ def inherited(frame: SemanticFrame, element: FrameElement) -> Tuple[ElementRelat
     )
 
 
-def with_inherited(unit: LexicalUnit, frame: SemanticFrame) -> LexicalUnit:
+def with_inherited(unit: LexicalUnit, frame: Optional[SemanticFrame]) -> LexicalUnit:
     """Return a unit with the relations that it inherits from the roles of its frame's elements.
 
     A unit that lists its relations, as those of 2012 do, inherits nothing, and is returned as it is.
+
+    Args:
+        unit: the unit
+        frame: that it evokes; None if it is unknown, and the unit inherits nothing yet
     """
-    if unit.changes is None:
+    if unit.changes is None or frame is None:
         return unit
     relations: List[Tuple[int, ElementRelation]] = []
     for place, element in enumerate(frame.frame_elements):

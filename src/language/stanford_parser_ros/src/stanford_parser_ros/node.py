@@ -24,15 +24,13 @@ from semantic_frames import load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.read_once import ReadOnce
-from semantic_frames.roles import with_inherited
 from stanford_parser_ros.early_inference import load_onnx, load_stanza
 from stanford_parser_ros.inference import Inference, ModelError, shipped_model_dir
-from stanford_parser_ros.joint.lexicon_hints import hints_of
 from stanford_parser_ros.model import NO_WORDS, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
+from stanford_parser_ros.unit_words import UnitWords
 from utterance_passes.trees.tree import DependencyTree
-from utterance_passes.wording.typos import spellings_of
 
 #: Period in which the worker checks whether to end, seconds.
 WAKE_UP_S = 1.0
@@ -98,7 +96,8 @@ class ParserNode:
         # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._known = NO_WORDS
         self._lock = threading.Lock()
-        self._units: List[LexicalUnit] = []
+        self._units: List[Tuple[LexicalUnit, ...]] = []
+        self._unit_words = UnitWords()
         self._frames: Dict[str, SemanticFrame] = {}
         self._unit_files: ReadOnce[Tuple[LexicalUnit, ...]] = ReadOnce(load_lexical_units)
         self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
@@ -164,7 +163,7 @@ class ParserNode:
         for reason in refused:
             rospy.logwarn("the lexicon holds a file that cannot be read: %s", reason)
         with self._lock:
-            self._units = [unit for units in found for unit in units]
+            self._units = found
             self._learn_words()
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
@@ -177,17 +176,8 @@ class ParserNode:
 
     def _learn_words(self) -> None:
         """Learn the words of the units, with those that they inherit from the roles of their frames."""
-        units = [
-            with_inherited(unit, self._frames[unit.frame_name]) if unit.frame_name in self._frames else unit
-            for unit in self._units
-        ]
-        self._known = replace(
-            self._known,
-            # The base form precedes the particle: "pick" of "pick up".
-            verbs=frozenset(verb.split()[0] for unit in units for verb in unit.verbs),
-            spellings=spellings_of(units),
-            hints=hints_of(units),
-        )
+        words = self._unit_words.of(self._units, self._frames)
+        self._known = replace(self._known, verbs=words.verbs, spellings=words.spellings, hints=words.hints)
 
     def _on_names(self, message: KnownNames) -> None:
         words = frozenset(word for known in message.names for word in known.name.lower().split())

@@ -204,19 +204,20 @@ def _merit(other: _OtherTree, heard: Heard, before: Heard, doubts: Sequence[str]
 def _parts_of_objects(before: Heard, other: _OtherTree) -> FrozenSet[int]:
     """Return the words that another tree makes the front of a compound, and that were objects beside it: Universal
     Dependencies gives a verb one object, "turn on the *living room* light"."""
-    if before.sentence is None:
+    sentence = before.sentence
+    if sentence is None:
         return frozenset()
-    tree = before.sentence.tree
-    return frozenset(
-        one.word
-        for one in other.changed
-        if one.deprel == "compound" and one.word < one.head
-        for word, head in [(tree.word(one.word), tree.word(one.head))]
-        if word.deprel == head.deprel == "obj"
-        and word.head == head.head
-        # "Take the red cup barefoot": what has an article is a phrase of its own.
-        and all(child.deprel == "compound" for child in tree.children(word.index))
-    )
+    return frozenset(one.word for one in other.changed if _joins_objects(sentence.tree, one))
+
+
+def _joins_objects(tree: DependencyTree, other: Alternative) -> bool:
+    """Whether an alternative makes one object of a verb the front of a compound that was an object beside it."""
+    if other.deprel != "compound" or other.word > other.head:
+        return False
+    word, head = tree.word(other.word), tree.word(other.head)
+    # "Take the red cup barefoot": what has an article is a phrase of its own.
+    is_bare = all(child.deprel == "compound" for child in tree.children(word.index))
+    return word.deprel == head.deprel == "obj" and word.head == head.head and is_bare
 
 
 def _said(readings: Sequence[Reading]) -> int:
