@@ -7,6 +7,7 @@ from semantic_framer.asking.choices import choices_left_open
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.changing.fragment_changes import Change, change_of
 from semantic_framer.changing.things_asked_for import as_said, asked_for
+from semantic_framer.clauses.deed_questions import deed_question
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.questions import question_readings
@@ -74,10 +75,10 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if now.trace is not None:
         for clause, kind in zip(case.clauses, case.kinds):
             now.trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
-    asked = question_readings(case)
+    asked = question_readings(case) or deed_question(case, context)
     if asked:
         now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
-        # The pattern of a question holds all of its words.
+        # A question is read only with all of its words.
         named = frozenset(word.index for word in sentence.tree.words)
         return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
     refusal, clauses = deeds_of(case, now.trace)

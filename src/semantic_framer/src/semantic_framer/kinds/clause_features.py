@@ -1,0 +1,134 @@
+"""The features of a clause, whatever its mood: who acts, what is asked, polarity, modality, tense and aspect.
+
+They are read from the tree alone, and so hold for every verb: auxiliaries, subject, word order and question words.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import List, Optional
+
+from utterance_passes.trees.tree import DependencyTree, Word
+from word_classes import word_class
+
+_ASKING = word_class("question_words")
+_HAVE, _BE, _DO = word_class("forms_of_have"), word_class("forms_of_be"), word_class("forms_of_do")
+_NEGATIONS = word_class("negations")
+_WHETHER = word_class("whether_words")
+#: Relations of clauses inside a clause, whose question words are their own.
+_INNER = frozenset(["acl", "advcl", "ccomp", "csubj", "parataxis", "conj"])
+
+
+class Form(Enum):
+    """How a clause is said."""
+
+    PLAIN = "plain"
+    POLAR = "polar question"
+    OPEN = "open question"
+
+
+class Aspect(Enum):
+    """When something happens, seen from now."""
+
+    PRESENT = "present"
+    RUNNING = "running"
+    DONE = "done"
+    EVER_DONE = "ever_done"
+    PLANNED = "planned"
+
+
+@dataclass(frozen=True)
+class ClauseFeatures:
+    """The features of a clause.
+
+    Attributes:
+        top: position of its main verb, or of its predicate
+        form: a statement, or a question, of which only one has a question word
+        agent: position of the head of who acts; 0 if the clause names nobody
+        asked: position of the question word; 0 if there is none
+        aspect: when it happens
+        modal: the auxiliary of modality in lower case, "can"; empty if there is none
+        is_passive: whether the subject is acted on: "was the door closed"
+        is_negated: whether it is denied
+        auxiliaries: positions of all auxiliaries and negations
+    """
+
+    top: int
+    form: Form
+    agent: int
+    asked: int
+    aspect: Aspect
+    modal: str
+    is_passive: bool
+    is_negated: bool
+    auxiliaries: frozenset
+
+
+def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
+    """Return the features of the clause of a verb or predicate.
+
+    Args:
+        tree: the sentence
+        top: position of the verb, which its auxiliaries hang on
+    """
+    children = tree.children(top)
+    helping = [child for child in children if child.deprel.split(":")[0] in ("aux", "cop")]
+    denying = [child for child in children if child.form.lower() in _NEGATIONS]
+    subject = next((child for child in children if child.deprel.startswith("nsubj")), None)
+    is_passive = any(child.deprel == "aux:pass" for child in helping) or (
+        subject is not None and subject.deprel == "nsubj:pass"
+    )
+    asked = _question_word(tree, top)
+    is_inverted = any(subject is not None and child.index < subject.index for child in helping)
+    is_asked = asked is not None and (is_inverted or (subject is not None and asked.index in tree.subtree(subject.index)))
+    modal = next((child.form.lower() for child in helping if child.xpos == "MD"), "")
+    return ClauseFeatures(
+        top=top,
+        form=Form.OPEN if is_asked else Form.POLAR if is_inverted else Form.PLAIN,
+        agent=_agent(tree, top, subject, is_passive),
+        asked=asked.index if asked is not None else 0,
+        aspect=_aspect(tree.word(top), helping, children),
+        modal=modal,
+        is_passive=is_passive,
+        is_negated=bool(denying),
+        auxiliaries=frozenset(child.index for child in [*helping, *denying]),
+    )
+
+
+def _question_word(tree: DependencyTree, top: int) -> Optional[Word]:
+    """Return the first question word of a clause that is in no clause inside it."""
+    for index in sorted(tree.subtree(top)):
+        word = tree.word(index)
+        if word.form.lower() not in _ASKING:
+            continue
+        above: List[Word] = []
+        while word.index != top:
+            above.append(word)
+            word = tree.word(word.head)
+        if not any(one.deprel.split(":")[0] in _INNER for one in above):
+            return tree.word(index)
+    return None
+
+
+def _agent(tree: DependencyTree, top: int, subject: Optional[Word], is_passive: bool) -> int:
+    if not is_passive:
+        return subject.index if subject is not None else 0
+    for child in tree.children(top):
+        cases = {case.form.lower() for case in tree.children(child.index) if case.deprel == "case"}
+        if child.deprel == "obl:agent" or (child.deprel == "obl" and cases == {"by"}):
+            return child.index
+    return 0
+
+
+def _aspect(verb: Word, helping: List[Word], children: tuple) -> Aspect:
+    forms = [child.form.lower() for child in helping]
+    lemmas = [child.lemma.lower() for child in helping]
+    is_past = any(child.xpos == "VBD" for child in helping[:1]) or (not helping and verb.xpos in ("VBD", "VBN"))
+    if "have" in lemmas or _HAVE.intersection(forms):
+        is_ever = any(child.form.lower() == "ever" for child in children)
+        return Aspect.EVER_DONE if is_ever else Aspect.DONE
+    if is_past or "did" in forms:
+        return Aspect.DONE
+    if any(form in ("will", "'ll", "shall") for form in forms):
+        return Aspect.PLANNED
+    is_going_on = verb.xpos == "VBG" and bool(_BE.intersection(forms) or "be" in lemmas)
+    return Aspect.RUNNING if is_going_on else Aspect.PRESENT
