@@ -5,15 +5,16 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 """
 
 from dataclasses import replace
-from typing import Optional, Tuple
+from typing import FrozenSet, Optional, Tuple
 
-from semantic_framer.filling.matching import match_units
-from semantic_framer.judging.verdicts import Case
+from semantic_framer.clauses.readings import plausible_readings
+from semantic_framer.filling.extra_phrases import extra_arguments
+from semantic_framer.judging.verdicts import Case, ClauseCase
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
+from semantic_framer.referring.persons_spoken_of import PERSON
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
-from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.reading import Reading, rank
@@ -29,11 +30,14 @@ QUESTION_OF_EVENT = "question_of_event"
 DEED, ASKS, ASPECT, AGENT, TIME = "deed", "asks", "aspect", "agent", "time"
 ROBOT, SPEAKER, WHO, ABLE, WHETHER, WHERE = "robot", "speaker", "who", "able", "whether", "where"
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
-_PERSONS = word_class("relative_persons")
+_WHO = word_class("relative_persons") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
 _ABILITIES = word_class("permission_modals")
 _PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
 #: What a question word asks for that stands for no element.
 _ASKED = {"when": "when", "why": "why"}
+_HOW, _CAN = "how", "can"
+#: FrameNet's name of when something is done.
+_TIME_SAID = "Time"
 _OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
 
 
@@ -50,18 +54,22 @@ def deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
     if any(kind.kind is not UtteranceKind.QUESTION for kind in case.kinds):
         return ()
     tops = [word.index for word in case.sentence.children(0)]
-    return _asked_of(case.sentence, tops[0], case.known, context) if len(tops) == 1 else ()
+    return _asked_of(case, tops[0], context) if len(tops) == 1 else ()
 
 
-def _asked_of(sentence: Sentence, top: int, known: FramedLexicon, context: Context) -> Tuple[Reading, ...]:
+def _asked_of(case: Case, top: int, context: Context) -> Tuple[Reading, ...]:
+    sentence, known = case.sentence, case.known
     features = features_of(sentence.tree, top)
     top, features = _of_what_is_meant(sentence, top, features)
     aspect = _aspect(features)
-    if features.form is Form.PLAIN or not features.agent and not features.is_passive or not aspect:
+    is_state = any(child.deprel == "cop" for child in sentence.children(top))
+    if features.form is Form.PLAIN or not aspect or is_state or not (features.agent or features.is_passive):
         return ()
-    question = _Question(sentence, top, features, known)
+    question = _Question(case, top, features)
+    if not question.is_answerable(aspect):
+        return ()
     deed = question.deed()
-    if deed is None:
+    if deed is None or (aspect == ABLE and question.said_when):
         return ()
     meant = resolve(deed, context, known)
     if isinstance(meant, TypedArgument):
@@ -71,10 +79,10 @@ def _asked_of(sentence: Sentence, top: int, known: FramedLexicon, context: Conte
 
 
 def _aspect(features: ClauseFeatures) -> str:
-    """Return which deeds are asked about; empty for what is a request or asks about nobody's deeds."""
-    if features.modal in _ABILITIES or (not features.modal and features.aspect is Aspect.PRESENT):
-        return ABLE if features.form is Form.OPEN or not features.modal else ""
-    if features.modal and features.aspect is not Aspect.PLANNED:
+    """Return which deeds are asked about; empty for what asks how things are, and for requests ("will you")."""
+    if features.modal in _ABILITIES:
+        return ABLE
+    if features.modal or features.aspect is Aspect.PRESENT:
         return ""
     return features.aspect.value
 
@@ -87,18 +95,20 @@ def _of_what_is_meant(sentence: Sentence, top: int, features: ClauseFeatures) ->
         return top, features
     if word.lemma.lower() == "go" and features.aspect is Aspect.RUNNING:
         return inner.index, replace(features, aspect=Aspect.PLANNED)
-    if word.lemma.lower() == "able":
-        return inner.index, replace(features, aspect=Aspect.PRESENT, modal="")
+    if word.lemma.lower() == ABLE:
+        return inner.index, replace(features, modal=_CAN)
     return top, features
 
 
 class _Question:
     """What a question asks about the frame of its verb."""
 
-    def __init__(self, sentence: Sentence, top: int, features: ClauseFeatures, known: FramedLexicon) -> None:
-        self._known = known
+    def __init__(self, case: Case, top: int, features: ClauseFeatures) -> None:
+        self._case = case
+        self._known = case.known
         self.features = features
-        self.time: Optional[int] = None
+        self.said_when: Tuple[TypedArgument, ...] = ()
+        sentence = case.sentence
         tree = sentence.tree
         if features.is_passive:
             edit = TreeEdit(tree)
@@ -113,10 +123,14 @@ class _Question:
 
     def _phrase_asked(self) -> int:
         """Return the head of the phrase with the question word, which hangs on the verb: "lamps" in "which lamps"."""
-        word = self._sentence.word(self.features.asked) if self.features.asked else None
-        while word is not None and word.index != self._top and word.head != self._top:
+        if not self.features.asked:
+            return 0
+        # In "when are you going to go", the question word hangs on "going".
+        above = (0, self._top, self.features.top)
+        word = self._sentence.word(self.features.asked)
+        while word.index not in above and word.head not in above:
             word = self._sentence.word(word.head)
-        return word.index if word is not None else 0
+        return word.index
 
     def _asks(self) -> str:
         """Return what is asked for; empty for one of the elements."""
@@ -128,45 +142,71 @@ class _Question:
         if form in _ASKED:
             return _ASKED[form]
         head = self._sentence.word(self._asked_phrase).form.lower()
-        if form == "how":
-            return _OF_AMOUNT.get(head, "") if head != "how" else "how"
+        if form == _HOW:
+            return _OF_AMOUNT.get(head, "") if head != _HOW else _HOW
         return WHERE if form == WHERE else ""
 
+    def is_answerable(self, aspect: str) -> bool:
+        """Whether the robot can know it: what it did, does and can do, and what persons did that it watched."""
+        if self.asks == _HOW or (aspect == ABLE and self.asks not in (WHETHER, "")):
+            return False
+        if self._is_robot() or not self.features.agent:
+            return True
+        is_done = aspect in (Aspect.DONE.value, Aspect.EVER_DONE.value)
+        form = self._sentence.word(self.features.agent).form.lower()
+        is_person = form in _WHO | _SPEAKERS or self._sentence.types.likeliest(self.features.agent) == PERSON
+        return is_done and is_person
+
     def deed(self) -> Optional[Reading]:
-        """Return the best reading of the verb with all words that do not only say what is asked; None if there is none."""
+        """Return the best reading of the verb that has all words but those that say what is asked; None without one."""
+        tree = self._sentence.tree
+        own = tree.subtree(self._top) - self._outside()
+        for words in tree.times:
+            if words <= own:
+                own -= words
+                head = next((index for index in words if tree.word(index).head not in words), min(words))
+                self.said_when = (self._sentence.phrases.argument(TIME, head),)
+        clause = clause_of(tree, self._top, own, False)
+        clause = replace(clause, subject=self.features.agent if self._is_robot() else 0)
+        of = replace(self._case, sentence=self._sentence, clauses=(clause,), kinds=self._case.kinds[:1])
+        asking = ClauseCase(of, clause, match_verbs(tree, clause, self._known))
+        for reading in plausible_readings(asking):
+            if self._is_whole(reading, clause):
+                return replace(reading, clause_text=self._words(clause))
+        return None
+
+    def _outside(self) -> FrozenSet[int]:
+        """Return the words of the clause that fill nothing: who acts, what is asked, auxiliaries, "already"."""
         tree = self._sentence.tree
         outside = set(self.features.auxiliaries)
         if self.features.agent:
             outside |= tree.subtree(self.features.agent)
-        if self.asks:
-            outside |= tree.subtree(self._asked_phrase) if self._asked_phrase not in (0, self._top) else frozenset()
-        for words in tree.times:
-            if words & tree.subtree(self._top) and not words & outside:
-                self.time = self.time or min(words, key=lambda index: tree.word(index).head in words)
-                outside |= words
-        outside |= {child.index for child in tree.children(self._top) if child.form.lower() in _PADDING}
-        outside |= {child.index for child in tree.children(self._top) if child.deprel in ("punct", "mark", "cc")}
-        clause = clause_of(tree, self._top, tree.subtree(self._top) - outside, False)
-        clause = replace(clause, subject=self.features.agent if self._is_robot() else 0)
-        found = [
-            reading
-            for reading in match_units(self._sentence, clause, match_verbs(tree, clause, self._known), self._known)
-            if self._is_whole(reading)
-        ]
-        best = min(found, key=rank, default=None)
-        return replace(best, clause_text=self._words(clause)) if best is not None else None
+        if self.asks and self._asked_phrase not in (0, self._top):
+            outside |= tree.subtree(self._asked_phrase)
+        for child in tree.children(self._top):
+            if child.form.lower() in _PADDING or child.deprel in ("punct", "mark", "cc"):
+                outside.add(child.index)
+        return frozenset(outside)
 
-    def _is_whole(self, reading: Reading) -> bool:
+    def _is_whole(self, reading: Reading, clause: Clause) -> bool:
         frame = self._known.frames[reading.unit.frame_name]
-        if frame.is_question or frame.is_condition or reading.left_over or reading.wrong_types:
+        if frame.is_question or frame.is_condition or reading.wrong_types:
             return False
+        if reading.left_over:
+            extra = extra_arguments(self._sentence, clause, reading.left_over) or ()
+            if len(extra) != 1 or extra[0].name != _TIME_SAID or self.said_when:
+                return False
+            self.said_when = (replace(extra[0], name=TIME),)
         if self.asks or not self._asked_phrase:
             return True
         return any(self._asked_phrase in argument.positions for argument in reading.arguments)
 
     def _words(self, clause: Clause) -> str:
-        words = sorted(index for index in clause.positions if self._sentence.word(index).upos != "PUNCT")
-        return self._sentence.text(words)
+        """Return the words of the deed, with its verb in the base form: "close the door", "switch on"."""
+        asked = self._sentence.subtree(self._asked_phrase) if self._asked_phrase not in (0, self._top) else ()
+        words = [index for index in sorted(clause.positions.difference(asked)) if index != self._top]
+        said = self._sentence.text([index for index in words if self._sentence.word(index).upos != "PUNCT"])
+        return f"{self._sentence.word(self._top).lemma} {said}".strip()
 
     def _is_robot(self) -> bool:
         return bool(self.features.agent) and self._sentence.word(self.features.agent).form.lower() in _HEARERS
@@ -179,7 +219,7 @@ class _Question:
             return TypedArgument(AGENT, ROBOT if form else WHO, Source.INFERRED)
         if form in _SPEAKERS:
             return TypedArgument(AGENT, SPEAKER, Source.INFERRED)
-        if form in _PERSONS:
+        if form in _WHO:
             return TypedArgument(AGENT, WHO, Source.INFERRED)
         return self._sentence.phrases.argument(AGENT, head)
 
@@ -194,12 +234,6 @@ class _Question:
         if self.asks:
             return self.asks
         return next(argument.name for argument in deed.arguments if self._asked_phrase in argument.positions)
-
-    def said_when(self) -> Tuple[TypedArgument, ...]:
-        """Return the time that the question names, if any."""
-        if self.time is None:
-            return ()
-        return (self._sentence.phrases.argument(TIME, self.time),)
 
 
 def _reading(sentence: Sentence, deed: Reading, question: _Question, aspect: str) -> Reading:
@@ -232,7 +266,7 @@ def _reading(sentence: Sentence, deed: Reading, question: _Question, aspect: str
             TypedArgument(ASKS, asks, Source.INFERRED),
             TypedArgument(ASPECT, aspect, Source.INFERRED),
             question.agent(),
-            *question.said_when(),
+            *question.said_when,
         ),
         missing=(),
         left_over=(),

@@ -122,6 +122,8 @@ def _agent(tree: DependencyTree, top: int, subject: Optional[Word], is_passive: 
 def _aspect(verb: Word, helping: List[Word], children: tuple) -> Aspect:
     forms = [child.form.lower() for child in helping]
     lemmas = [child.lemma.lower() for child in helping]
+    if any(child.xpos == "VBG" for child in helping):
+        return Aspect.RUNNING  # "The door is being closed."
     is_past = any(child.xpos == "VBD" for child in helping[:1]) or (not helping and verb.xpos in ("VBD", "VBN"))
     if "have" in lemmas or _HAVE.intersection(forms):
         is_ever = any(child.form.lower() == "ever" for child in children)
