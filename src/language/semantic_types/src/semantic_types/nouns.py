@@ -46,6 +46,12 @@ class Nouns:
         if not is_name and key in self._file.words:
             return of_names(self._file.words[key])
         senses = self._wordnet.senses(noun)
+        bases = {sense.spelling.lower() for sense in senses}
+        if not is_name and key not in bases:
+            # The plural of a noun of the file: "mugs".
+            listed = [self._file.words[base] for base in sorted(bases) if base in self._file.words]
+            if listed:
+                return of_names(listed[0])
         if is_name:
             # "Maria" is a tree, too, but nobody says so with its name.
             alike = (sense for sense in senses if _is_spelled_alike(sense.spelling, noun))

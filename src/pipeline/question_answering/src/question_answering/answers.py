@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Callable, Dict, List, Sequence
 
 from question_answering.answers_about_deeds import ABOUT_DEEDS
+from question_answering.answers_about_events import ABOUT_EVENTS
 from question_answering.answers_about_holders import ABOUT_HOLDERS, what_is_held
 from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
@@ -378,6 +379,7 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_speaker": _speaker,
     BEING_NAMED: _being_named,
     **ABOUT_DEEDS,
+    **ABOUT_EVENTS,
     **ABOUT_HOLDERS,
     **ABOUT_STATES,
 }

@@ -187,6 +187,7 @@ class QuestionAnswering:
             question = self._said[-1].id if self._said else ""
             doing = [command.text for command in self._status.active if command.id != question]
             acting = [name for name in self._served if not self._frames[name].is_question]
+            running, planned = self._history.running_and_planned
             return RobotKnowledge(
                 world=self._world,
                 name=self._settings.name,
@@ -199,6 +200,11 @@ class QuestionAnswering:
                 deeds=self._history.deeds,
                 next_steps=self._history.next_steps,
                 speaker=self._speaker,
+                tried=self._history.tried,
+                running=running,
+                planned=planned,
+                frames=self._frames,
+                served=self._served,
             )
 
 

@@ -6,6 +6,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Dict, FrozenSet, List, Mapping, Sequence, Tuple
 
+from question_answering.deed_log import PlannedNode, TriedClause
 from referring_expressions import Situation
 from roboframenet_ros.spoken_text import with_capital
 from semantic_frames.frame import SemanticFrame
@@ -56,6 +57,11 @@ class RobotKnowledge:
         deeds: the commands that have ended, without questions, the last one last
         next_steps: what comes after what runs, in the words of the person
         speaker: id of the person who speaks; empty when unknown
+        tried: the clauses that were tried in this run, the last one last
+        running: the clauses that are carried out now
+        planned: the clauses that come later
+        frames: by name
+        served: names of the frames that can be carried out now
     """
 
     world: World = field(default_factory=World)
@@ -69,6 +75,11 @@ class RobotKnowledge:
     deeds: Tuple[Deed, ...] = ()
     next_steps: Tuple[str, ...] = ()
     speaker: str = ""
+    tried: Tuple[TriedClause, ...] = ()
+    running: Tuple[PlannedNode, ...] = ()
+    planned: Tuple[PlannedNode, ...] = ()
+    frames: Mapping[str, SemanticFrame] = field(default_factory=dict)
+    served: FrozenSet[str] = frozenset()
 
     @property
     def of_this_run(self) -> "RobotKnowledge":

@@ -269,7 +269,6 @@ def test_robot_that_can_and_does_nothing_says_so(pipeline: Pipeline) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Did you turn left?",
         "Is it safe to go to the kitchen?",
         "Should I open the door?",
         "Where is it?",

@@ -239,7 +239,10 @@ class _Question:
 def _reading(sentence: Sentence, deed: Reading, question: _Question, aspect: str) -> Reading:
     asks = question.asked_element(deed)
     arguments = tuple(
-        replace(argument, is_asked=True) if argument.name == asks else argument for argument in deed.arguments
+        replace(argument, is_asked=True) if argument.name == asks else argument
+        for argument in deed.arguments
+        # Who acts is told beside the deed.
+        if not argument.head_position or argument.head_position != question.features.agent
     )
     about = TypedArgument(
         DEED,
