@@ -10,6 +10,7 @@ from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm,
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
+from semantic_framer.clauses.deed_questions import is_told_to_speaker
 from semantic_framer.clauses.questions import remark_readings
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.judging.said_words import RULE, words_left
@@ -31,7 +32,7 @@ from semantic_framer.sentences.linked_sentence import (
     swallowed_words,
     understand_linked,
 )
-from semantic_framer.sentences.plain_sentence import understand_plain
+from semantic_framer.sentences.plain_sentence import embedded_question, understand_plain
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.dialogue import Context, LastQuestion, Pending, is_no
@@ -61,6 +62,8 @@ from utterance_passes.trees.tree import DependencyTree
 from utterance_passes.trees.tree_edits import continued, lasting, said_after
 from word_classes import agreement
 
+#: The pass that makes one object of what somebody is told.
+_QUOTATIONS = "quotations"
 #: Codes of refusals that end an open question: what it asks about is forbidden, taken back or put right.
 _ENDING_QUESTIONS = frozenset([PROHIBITION, CORRECTION, DECLINED])
 
@@ -239,12 +242,23 @@ class _Utterance:
             # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
-            return self._attached_by_world(meant, context)
+            return self._question_or_command(tree, meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         heard = self._answered(meant, pending, context)
-        return heard if heard is not None else self._with_open(pending, meant, self._attached_by_world(meant, context))
+        if heard is not None:
+            return heard
+        return self._with_open(pending, meant, self._question_or_command(tree, meant, context))
+
+    def _question_or_command(self, tree: DependencyTree, meant: Sentence, context: Context) -> Heard:
+        """Understand a sentence that is no answer: "tell me whether you closed the door" asks, and tells nobody."""
+        if meant.tree.quoted and is_told_to_speaker(meant, self._now.known):
+            passes = [one for one in FRAMER_TREE_PASSES if one.name != _QUOTATIONS]
+            plain = restructured(tree, self._now.known, passes=passes)
+            if isinstance(plain, Sentence) and (asked := embedded_question(plain, context, self._now)):
+                return asked
+        return self._attached_by_world(meant, context)
 
     def _with_open(self, pending: Pending, meant: Sentence, heard: Heard) -> Heard:
         """Keep a question open beside which only something else was said: talk, a question, or what is not understood.

@@ -12,10 +12,13 @@ from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
+from semantic_framer.kinds.question_extent import words_of_question
+from semantic_framer.kinds.question_orders import length_of_opening
 from semantic_framer.referring.persons_spoken_of import PERSON
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
 from semantic_framer.units.frame_roles import PLACES
+from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.reading import Reading, rank
 from semantic_framer.values.sentence import Sentence
@@ -23,6 +26,7 @@ from typed_arguments import EmbeddedFrame, Source, TypedArgument
 from utterance_passes.phrases.clauses import Clause, clause_of
 from utterance_passes.phrases.verb_matching import match_verbs
 from utterance_passes.trees.tree_edits import TreeEdit
+from utterance_passes.trees.vocabulary import Speech
 from word_classes import word_class
 
 #: The frame that asks about another frame.
@@ -31,6 +35,8 @@ DEED, ASKS, ASPECT, AGENT, TIME = "deed", "asks", "aspect", "agent", "time"
 ROBOT, SPEAKER, WHO, ABLE, WHETHER, WHERE = "robot", "speaker", "who", "able", "whether", "where"
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
 _WHO = word_class("relative_persons") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
+_SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
+_QUESTION_WORDS = word_class("question_words")
 _ABILITIES = word_class("permission_modals")
 _PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
 #: What a question word asks for that stands for no element.
@@ -48,19 +54,43 @@ def deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
         case: the sentence
         context: what was said before, for its pronouns
     """
-    frame = case.known.frames.get(QUESTION_OF_EVENT)
-    if frame is None or (case.known.heeded and frame.name not in case.known.heeded):
-        return ()
-    if any(kind.kind is not UtteranceKind.QUESTION for kind in case.kinds):
-        return ()
     tops = [word.index for word in case.sentence.children(0)]
-    return _asked_of(case, tops[0], context) if len(tops) == 1 else ()
+    if len(tops) != 1 or any(kind.kind is not UtteranceKind.QUESTION for kind in case.kinds):
+        return ()
+    return _asked_of(case, features_of(case.sentence.tree, tops[0]), context)
 
 
-def _asked_of(case: Case, top: int, context: Context) -> Tuple[Reading, ...]:
+def embedded_deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
+    """Return the readings of such a question inside a sentence that only asks it: "I want to know whether *you left*",
+    "tell me when *you left*"."""
+    sentence = case.sentence
+    words = words_of_question(sentence)
+    length = length_of_opening([word.form.lower() for word in words])
+    first = words[length].index if 0 < length < len(words) else 0
+    is_told = is_told_to_speaker(sentence, case.known)
+    for word in sentence.tree.words if first or is_told else ():
+        begin = min(sentence.subtree(word.index))
+        is_question = sentence.word(begin).form.lower() in _WHETHER | _QUESTION_WORDS
+        if word.deprel in ("ccomp", "advcl") and is_question and (begin == first or (is_told and word.head)):
+            features = features_of(sentence.tree, word.index)
+            form = Form.OPEN if features.asked else Form.POLAR
+            return _asked_of(case, replace(features, form=form), context)
+    return ()
+
+
+def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:
+    """Whether a sentence asks the robot to tell its speaker something, and nothing else: "tell me ..."."""
+    tops = sentence.children(0)
+    if len(tops) != 1 or known.speech_of(tops[0].lemma.lower()) is not Speech.TOLD:
+        return False
+    children = sentence.children(tops[0].index)
+    told = [child for child in children if child.deprel in ("iobj", "obj") and child.form.lower() in _SPEAKER_OBJECTS]
+    return bool(told) and not any(child.deprel in ("conj", "parataxis") for child in children)
+
+
+def _asked_of(case: Case, features: ClauseFeatures, context: Context) -> Tuple[Reading, ...]:
     sentence, known = case.sentence, case.known
-    features = features_of(sentence.tree, top)
-    top, features = _of_what_is_meant(sentence, top, features)
+    top, features = _of_what_is_meant(sentence, features.top, features)
     aspect = _aspect(features)
     is_state = any(child.deprel == "cop" for child in sentence.children(top))
     if features.form is Form.PLAIN or not aspect or is_state or not (features.agent or features.is_passive):

@@ -1,13 +1,13 @@
 """Understands a sentence without conditions: small talk, a question, a change of the last command, or a command."""
 
 from dataclasses import replace
-from typing import Sequence, Tuple
+from typing import Optional, Sequence, Tuple
 
 from semantic_framer.asking.choices import choices_left_open
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.changing.fragment_changes import Change, change_of
 from semantic_framer.changing.things_asked_for import as_said, asked_for
-from semantic_framer.clauses.deed_questions import deed_question
+from semantic_framer.clauses.deed_questions import deed_question, embedded_deed_question
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.questions import question_readings
@@ -31,6 +31,7 @@ from semantic_framer.values.outcome import (
     Refusal,
     Understood,
 )
+from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause, find_clauses
 from word_classes import agreement
@@ -75,12 +76,11 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if now.trace is not None:
         for clause, kind in zip(case.clauses, case.kinds):
             now.trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
-    asked = question_readings(case) or deed_question(case, context)
+    asked = (
+        embedded_deed_question(case, context) or question_readings(case) or deed_question(case, context)
+    )
     if asked:
-        now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
-        # A question is read only with all of its words.
-        named = frozenset(word.index for word in sentence.tree.words)
-        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
+        return _answered(asked, sentence, context, now)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
@@ -102,6 +102,20 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
     wished = positions_named(read.kept[0] for read in clauses if read.kept[0].is_wish)
     return Heard(outcome, context, sentence, clauses, named=words_told(case, clauses) | wished)
+
+
+def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:
+    """Understand a sentence as the question about a deed that it asks: "tell me whether you closed the door"."""
+    case = case_of(sentence, find_clauses(sentence.tree, now.known), now.known, now.policy)
+    asked = embedded_deed_question(case, context)
+    return _answered(asked, sentence, context, now) if asked else None
+
+
+def _answered(asked: Tuple[Reading, ...], sentence: Sentence, context: Context, now: Now) -> Heard:
+    now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
+    # A question is read only with all of its words.
+    named = frozenset(word.index for word in sentence.tree.words)
+    return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
 
 
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:
