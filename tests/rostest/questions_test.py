@@ -67,7 +67,19 @@ class QuestionAnsweringTest(unittest.TestCase):
         wait_until(lambda: "You are Anna." in say("Who am I?").sentence)
 
     def test_3_other_questions_are_refused_as_questions(self) -> None:
-        self.assertEqual(say("Did you turn left?").code, "QUESTION")
+        self.assertEqual(say("Should I turn left?").code, "QUESTION")
+
+    def test_3_deeds_are_remembered_for_questions_and_conditions(self) -> None:
+        self.assert_says("Did you say hello?", "No, as far as I remember.")
+        self.assert_says("If you have not said hello, say goodbye.", "Done.")
+        self.assert_says("If you have said hello, say goodbye.", "hello")
+        self.assert_says("Say hello.", "Done.")
+        wait_until(lambda: say("Did you say hello?").sentence.startswith('Yes: I carried out "Say hello." today at '))
+        self.assert_says("Tell me how often you said hello.", "Once.")
+        self.assert_says("What did you say to Anna?", "as far as I remember")
+        self.assert_says("Why did you say hello?", 'Because you asked me to: "Say hello."')
+        self.assert_says("Are you able to dance?", "Yes, I can dance.")
+        self.assert_says("Are you able to close doors?", "nothing that runs here can do that")
 
     def test_4_question_preempts_nothing(self) -> None:
         replies: List[Reply] = []
@@ -75,6 +87,8 @@ class QuestionAnsweringTest(unittest.TestCase):
         dancing.start()
         self.assertTrue(self.is_dancing.wait(60.0))
         wait_until(lambda: "Dance." in say("What are you doing?").sentence)
+        self.assert_says("Are you dancing?", 'Yes, I am carrying out "Dance."')
+        self.assert_says("Are you saying hello?", 'No, I am carrying out "Dance."')
         self.assertFalse(replies)
         self.may_end.set()
         dancing.join(60.0)

@@ -124,6 +124,21 @@ class UnknownPolicy(Enum):
 
 
 @dataclass(frozen=True)
+class Result:
+    """What holds when a frame has been carried out: closing results in a state, placing in a place.
+
+    Attributes:
+        frame: the condition frame that says so
+        elements: of that frame, each with the element of the frame that fills it, or with what is true of it ("closed")
+        own_elements: names of the elements of the frame itself
+    """
+
+    frame: str
+    elements: Tuple[Tuple[str, str], ...]
+    own_elements: FrozenSet[str] = frozenset()
+
+
+@dataclass(frozen=True)
 class SemanticFrame:
     """A scene, its elements, and the frames that can stand for it.
 
@@ -139,6 +154,7 @@ class SemanticFrame:
         on_unknown: what happens when the robot knows some world, and not what is spoken of
         is_question: whether the frame is a question, which is answered and changes nothing
         is_condition: whether the frame says how things are; it is watched, and never carried out
+        results_in: what holds when it has been carried out; None if the frame does not say
         path: the file it came from
         line: where it begins, from 1
     """
@@ -153,6 +169,7 @@ class SemanticFrame:
     on_unknown: UnknownPolicy = UnknownPolicy.ACT
     is_question: bool = False
     is_condition: bool = False
+    results_in: Optional[Result] = None
     path: str = ""
     line: int = 0
 

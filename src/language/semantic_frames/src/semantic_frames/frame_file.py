@@ -7,6 +7,7 @@ from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 import yaml
 
 from semantic_frames.frame import (
+    Result,
     ConstantArgument,
     ElementMapping,
     FrameElement,
@@ -35,6 +36,7 @@ FRAME_KEYS = (
     "confirm",
     "is_question",
     "is_condition",
+    "results_in",
 )
 ELEMENT_KEYS = (
     "name",
@@ -54,6 +56,7 @@ ELEMENT_KEYS = (
     "semantic_type",
     "confirm",
 )
+RESULT_KEYS = ("frame", "theme", "state", "location", "owner", "possession")
 CHILD_KEYS = ("name", "frame_element_relations")
 RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value", "relation")
 
@@ -95,11 +98,31 @@ def load_frame(text: str, path: str) -> SemanticFrame:
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
         is_question=is_question,
         is_condition=is_condition,
+        results_in=_result(reader, entries.get("results_in"), elements),
         path=path,
         line=line_of(root),
     )
     reader.refuse_if_wrong()
     return frame
+
+
+def _result(
+    reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameElement, ...]
+) -> Optional[Result]:
+    """Read what a frame results in: ``{frame: condition_of_state, theme: container_portal, state: closed}``.
+
+    Whether that frame exists is not checked here.
+    """
+    if node is None:
+        return None
+    said = {
+        key: reader.text(value, f"results_in.{key}")
+        for key, value in reader.mapping(node, "results_in", RESULT_KEYS, required=("frame",)).items()
+    }
+    frame = said.pop("frame", "")
+    if not said:
+        reader.report("MISSING_KEY", node, "results_in", "no element of that frame", "at least one element")
+    return Result(frame, tuple(said.items()), frozenset(element.name for element in elements))
 
 
 def _elements(reader: Reader, node: Optional[yaml.Node], *, has_framenet: bool) -> Tuple[FrameElement, ...]:

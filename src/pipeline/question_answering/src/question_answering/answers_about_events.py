@@ -47,6 +47,12 @@ def event(arguments: Arguments, known: RobotKnowledge) -> str:
     return about.done()
 
 
+def was_done(deed: TypedArgument, known: RobotKnowledge) -> bool:
+    """Whether the robot has done a deed, as far as it remembers."""
+    (asked,) = deed.frames
+    return _About(asked, {"deed": deed, "asks": TypedArgument("asks", _WHETHER)}, known).is_done()
+
+
 class _About:
     """What is known about the frame of a question."""
 
@@ -61,6 +67,10 @@ class _About:
         self._elements = [one for one in asked.frame_elements if not one.is_asked and one.positions]
 
     # --- what was done
+
+    def is_done(self) -> bool:
+        """Whether the log has it."""
+        return any(self._fits(one) and self._is_done(one) for one in self._known.tried)
 
     def done(self) -> str:
         """Answer from the log of deeds."""

@@ -24,10 +24,11 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 
 from question_answering.answers import ANSWERS, BEING_NAMED, answer, person_named
+from question_answering.answers_about_events import was_done
 from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
 from question_answering.ros_asking import Asking
 from question_answering.ros_history import History
-from rfnserver import RFNServer, TypedFrame
+from rfnserver import ConditionServer, ConditionUnknown, RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
@@ -38,6 +39,9 @@ from semantic_frames.read_once import ReadOnce
 from world_model import World, WorldObject
 from world_model.ros_messages import object_to_message, world_from_message
 
+#: The frame that says that the robot did something, and how often the log is asked while somebody waits for it.
+CONDITION_OF_DEED = "condition_of_deed"
+_WATCH_PERIOD_S = 0.2
 # How long a question waits for the status that tells of it, seconds; it comes by another way, and earlier as a rule.
 _STATUS_WAIT_S = 0.5
 # How long the first question waits for what the node has not heard since it started, seconds. A graph without a world
@@ -68,6 +72,7 @@ class QuestionAnswering:
 
     Actions:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
+        deeds_watch (roboframenet_msgs/FilledSemanticFrameAction): watches ``condition_of_deed``
     Subscribes:
         world (World), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), lexicon (Lexicon),
         status (CommandStatus), command_question (CommandPlan), speaker (std_msgs/String), and those of
@@ -109,6 +114,9 @@ class QuestionAnswering:
         for name in ANSWERS:
             self._server.register_with_frame(name)
         self._server.start()
+        self._watch = ConditionServer("deeds_watch", self._holds, period_s=_WATCH_PERIOD_S)
+        self._watch.register_with_frame(CONDITION_OF_DEED)
+        self._watch.start()
         self._asking = Asking(timeout_s=settings.timeout_s, before=self._wait_until_told)
 
     def _hear(self, topic: str) -> None:
@@ -173,6 +181,13 @@ class QuestionAnswering:
         if frame.name == BEING_NAMED:
             self._meet(person_named(frame["name"].text, known.world), known.world)
         self._server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)
+
+    def _holds(self, frame: TypedFrame) -> bool:
+        """Whether the robot has done what a condition says: "if you have closed the door"."""
+        deed = frame["deed"]
+        if len(deed.frames) != 1:
+            raise ConditionUnknown(f'I do not know what "{deed.text}" means')
+        return was_done(deed, self._known())
 
     def _meet(self, person: WorldObject, world: World) -> None:
         """Somebody has said who they are."""

@@ -8,6 +8,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
+from semantic_framer.clauses.event_conditions import event_condition
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, compiled, heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
@@ -158,9 +159,7 @@ def _read_one(
     if positions and is_auxiliary(sentence.word(positions[0])):
         return None  # "When does Anna come" is a question.
     said = _words(sentence, positions, somebody)
-    if said is None or not said.forms:
-        return None
-    found = [
+    found = [] if said is None else [
         reading
         for unit in known.lexicon.condition_units(said.forms)
         for frame in [known.frames.get(unit.frame_name)]
@@ -169,7 +168,10 @@ def _read_one(
         if reading is not None
     ]
     if not found:
-        return None
+        event = None if somebody else event_condition(sentence, known, positions)
+        if event is None:
+            return None
+        return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
     # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
     best = max(found, key=lambda reading: len(reading.verb_positions))
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))

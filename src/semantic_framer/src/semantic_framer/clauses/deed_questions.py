@@ -5,46 +5,31 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 """
 
 from dataclasses import replace
-from typing import FrozenSet, Optional, Tuple
+from typing import Tuple
 
-from semantic_framer.clauses.readings import plausible_readings
-from semantic_framer.filling.extra_phrases import extra_arguments
-from semantic_framer.judging.verdicts import Case, ClauseCase
+from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause
+from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.question_extent import words_of_question
 from semantic_framer.kinds.question_orders import length_of_opening
-from semantic_framer.referring.persons_spoken_of import PERSON
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
-from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context
-from semantic_framer.values.reading import Reading, rank
+from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
-from typed_arguments import EmbeddedFrame, Source, TypedArgument
-from utterance_passes.phrases.clauses import Clause, clause_of
-from utterance_passes.phrases.verb_matching import match_verbs
-from utterance_passes.trees.tree_edits import TreeEdit
+from typed_arguments import Source, TypedArgument
 from utterance_passes.trees.vocabulary import Speech
 from word_classes import word_class
 
-#: The frame that asks about another frame.
+#: The frame that asks about another frame, and its elements beside the deed, its agent and its time.
 QUESTION_OF_EVENT = "question_of_event"
-DEED, ASKS, ASPECT, AGENT, TIME = "deed", "asks", "aspect", "agent", "time"
-ROBOT, SPEAKER, WHO, ABLE, WHETHER, WHERE = "robot", "speaker", "who", "able", "whether", "where"
-_HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
-_WHO = word_class("relative_persons") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
+ASKS, ASPECT, ABLE = "asks", "aspect", "able"
 _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
 _QUESTION_WORDS = word_class("question_words")
 _ABILITIES = word_class("permission_modals")
-_PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
-#: What a question word asks for that stands for no element.
-_ASKED = {"when": "when", "why": "why"}
-_HOW, _CAN = "how", "can"
-#: FrameNet's name of when something is done.
-_TIME_SAID = "Time"
-_OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
+_CAN = "can"
 
 
 def deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
@@ -95,17 +80,26 @@ def _asked_of(case: Case, features: ClauseFeatures, context: Context) -> Tuple[R
     is_state = any(child.deprel == "cop" for child in sentence.children(top))
     if features.form is Form.PLAIN or not aspect or is_state or not (features.agent or features.is_passive):
         return ()
-    question = _Question(case, top, features)
-    if not question.is_answerable(aspect):
+    clause = DeedClause(case, top, features)
+    if not _is_answerable(clause, aspect):
         return ()
-    deed = question.deed()
-    if deed is None or (aspect == ABLE and question.said_when):
+    deed = clause.deed()
+    if deed is None or (aspect == ABLE and clause.said_when):
         return ()
     meant = resolve(deed, context, known)
     if isinstance(meant, TypedArgument):
         return ()
     meant, _ = refer(meant, known, context)
-    return (_reading(sentence, meant, question, aspect),)
+    return (_reading(sentence, meant, clause, aspect),)
+
+
+def _is_answerable(clause: DeedClause, aspect: str) -> bool:
+    """Whether the robot can know it: what it did, does and can do, and what persons did."""
+    if clause.asks == HOW or (aspect == ABLE and clause.asks not in (WHETHER, "")):
+        return False
+    if clause.is_of_robot or not clause.features.agent:
+        return True
+    return aspect in (Aspect.DONE.value, Aspect.EVER_DONE.value) and clause.is_of_person
 
 
 def _aspect(features: ClauseFeatures) -> str:
@@ -130,176 +124,18 @@ def _of_what_is_meant(sentence: Sentence, top: int, features: ClauseFeatures) ->
     return top, features
 
 
-class _Question:
-    """What a question asks about the frame of its verb."""
-
-    def __init__(self, case: Case, top: int, features: ClauseFeatures) -> None:
-        self._case = case
-        self._known = case.known
-        self.features = features
-        self.said_when: Tuple[TypedArgument, ...] = ()
-        sentence = case.sentence
-        tree = sentence.tree
-        if features.is_passive:
-            edit = TreeEdit(tree)
-            for child in tree.children(top):
-                if child.deprel == "nsubj:pass":
-                    edit.relabel(child.index, "obj")
-            sentence = sentence.attached(edit.tree())
-        self._sentence = sentence
-        self._top = top
-        self._asked_phrase = self._phrase_asked()
-        self.asks = self._asks()
-
-    def _phrase_asked(self) -> int:
-        """Return the head of the phrase with the question word, which hangs on the verb: "lamps" in "which lamps"."""
-        if not self.features.asked:
-            return 0
-        # In "when are you going to go", the question word hangs on "going".
-        above = (0, self._top, self.features.top)
-        word = self._sentence.word(self.features.asked)
-        while word.index not in above and word.head not in above:
-            word = self._sentence.word(word.head)
-        return word.index
-
-    def _asks(self) -> str:
-        """Return what is asked for; empty for one of the elements."""
-        if not self.features.asked:
-            return WHETHER
-        if self._asked_phrase == self.features.agent and not self.features.is_passive:
-            return WHO
-        form = self._sentence.word(self.features.asked).form.lower()
-        if form in _ASKED:
-            return _ASKED[form]
-        head = self._sentence.word(self._asked_phrase).form.lower()
-        if form == _HOW:
-            return _OF_AMOUNT.get(head, "") if head != _HOW else _HOW
-        return WHERE if form == WHERE else ""
-
-    def is_answerable(self, aspect: str) -> bool:
-        """Whether the robot can know it: what it did, does and can do, and what persons did that it watched."""
-        if self.asks == _HOW or (aspect == ABLE and self.asks not in (WHETHER, "")):
-            return False
-        if self._is_robot() or not self.features.agent:
-            return True
-        is_done = aspect in (Aspect.DONE.value, Aspect.EVER_DONE.value)
-        form = self._sentence.word(self.features.agent).form.lower()
-        is_person = form in _WHO | _SPEAKERS or self._sentence.types.likeliest(self.features.agent) == PERSON
-        return is_done and is_person
-
-    def deed(self) -> Optional[Reading]:
-        """Return the best reading of the verb that has all words but those that say what is asked; None without one."""
-        tree = self._sentence.tree
-        own = tree.subtree(self._top) - self._outside()
-        for words in tree.times:
-            if words <= own:
-                own -= words
-                head = next((index for index in words if tree.word(index).head not in words), min(words))
-                self.said_when = (self._sentence.phrases.argument(TIME, head),)
-        clause = clause_of(tree, self._top, own, False)
-        clause = replace(clause, subject=self.features.agent if self._is_robot() else 0)
-        of = replace(self._case, sentence=self._sentence, clauses=(clause,), kinds=self._case.kinds[:1])
-        asking = ClauseCase(of, clause, match_verbs(tree, clause, self._known))
-        for reading in plausible_readings(asking):
-            if self._is_whole(reading, clause):
-                return replace(reading, clause_text=self._words(clause))
-        return None
-
-    def _outside(self) -> FrozenSet[int]:
-        """Return the words of the clause that fill nothing: who acts, what is asked, auxiliaries, "already"."""
-        tree = self._sentence.tree
-        outside = set(self.features.auxiliaries)
-        if self.features.agent:
-            outside |= tree.subtree(self.features.agent)
-        if self.asks and self._asked_phrase not in (0, self._top):
-            outside |= tree.subtree(self._asked_phrase)
-        for child in tree.children(self._top):
-            if child.form.lower() in _PADDING or child.deprel in ("punct", "mark", "cc"):
-                outside.add(child.index)
-        return frozenset(outside)
-
-    def _is_whole(self, reading: Reading, clause: Clause) -> bool:
-        frame = self._known.frames[reading.unit.frame_name]
-        if frame.is_question or frame.is_condition or reading.wrong_types:
-            return False
-        if reading.left_over:
-            extra = extra_arguments(self._sentence, clause, reading.left_over) or ()
-            if len(extra) != 1 or extra[0].name != _TIME_SAID or self.said_when:
-                return False
-            self.said_when = (replace(extra[0], name=TIME),)
-        if self.asks or not self._asked_phrase:
-            return True
-        return any(self._asked_phrase in argument.positions for argument in reading.arguments)
-
-    def _words(self, clause: Clause) -> str:
-        """Return the words of the deed, with its verb in the base form: "close the door", "switch on"."""
-        asked = self._sentence.subtree(self._asked_phrase) if self._asked_phrase not in (0, self._top) else ()
-        words = [index for index in sorted(clause.positions.difference(asked)) if index != self._top]
-        said = self._sentence.text([index for index in words if self._sentence.word(index).upos != "PUNCT"])
-        return f"{self._sentence.word(self._top).lemma} {said}".strip()
-
-    def _is_robot(self) -> bool:
-        return bool(self.features.agent) and self._sentence.word(self.features.agent).form.lower() in _HEARERS
-
-    def agent(self) -> TypedArgument:
-        """Return who acts: the robot, the speaker, somebody with a name, or whoever is asked for."""
-        head = self.features.agent
-        form = self._sentence.word(head).form.lower() if head else ""
-        if not form or form in _HEARERS:
-            return TypedArgument(AGENT, ROBOT if form else WHO, Source.INFERRED)
-        if form in _SPEAKERS:
-            return TypedArgument(AGENT, SPEAKER, Source.INFERRED)
-        if form in _WHO:
-            return TypedArgument(AGENT, WHO, Source.INFERRED)
-        return self._sentence.phrases.argument(AGENT, head)
-
-    def asked_element(self, deed: Reading) -> str:
-        """Return what is asked for, as the answer needs it: the name of an element, or a word for what none holds."""
-        frame = self._known.frames[deed.unit.frame_name]
-        if self.asks == WHERE:
-            filled = {argument.name for argument in deed.arguments}
-            places = [one for one in frame.frame_elements if one.framenet in PLACES and one.name not in filled]
-            core = [one for one in places if one.is_core] or places
-            return core[0].name if core else WHERE
-        if self.asks:
-            return self.asks
-        return next(argument.name for argument in deed.arguments if self._asked_phrase in argument.positions)
-
-
-def _reading(sentence: Sentence, deed: Reading, question: _Question, aspect: str) -> Reading:
-    asks = question.asked_element(deed)
-    arguments = tuple(
-        replace(argument, is_asked=True) if argument.name == asks else argument
-        for argument in deed.arguments
-        # Who acts is told beside the deed.
-        if not argument.head_position or argument.head_position != question.features.agent
-    )
-    about = TypedArgument(
-        DEED,
-        deed.clause_text,
-        words=deed.clause_text,
-        frames=(
-            EmbeddedFrame(
-                role="says",
-                frame_name=deed.unit.frame_name,
-                words=deed.clause_text,
-                mood="question",
-                is_negated=question.features.is_negated,
-                frame_elements=arguments,
-            ),
-        ),
-    )
+def _reading(sentence: Sentence, deed: Reading, clause: DeedClause, aspect: str) -> Reading:
     words = [word for word in sentence.tree.words if word.upos != "PUNCT"]
     return Reading(
         unit=replace(deed.unit, frame_name=QUESTION_OF_EVENT),
         verb=deed.verb,
         verb_positions=tuple(word.index for word in words),
         arguments=(
-            about,
-            TypedArgument(ASKS, asks, Source.INFERRED),
+            clause.argument(deed, "question"),
+            TypedArgument(ASKS, clause.asked_element(deed), Source.INFERRED),
             TypedArgument(ASPECT, aspect, Source.INFERRED),
-            question.agent(),
-            *question.said_when,
+            clause.agent(),
+            *clause.said_when,
         ),
         missing=(),
         left_over=(),
