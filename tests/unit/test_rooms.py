@@ -11,7 +11,7 @@ from roboframenet_testing.workspace import modules, package
 #: The rooms of each package, from the lowest up. What stands in no room may import all of them.
 ROOMS = {
     "utterance_passes": "trees phrases engine wording slips repairs asides deeds sharing messages",
-    "semantic_framer": "values units kinds filling judging clauses referring changing asking linking sentences",
+    "semantic_framer": "values units kinds filling judging clauses referring queries changing asking linking sentences",
 }
 MOST_ROOMS = 12
 #: An arrow from one room to another, with the modules.

@@ -10,8 +10,6 @@ from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm,
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
-from semantic_framer.clauses.deed_questions import is_told_to_speaker
-from semantic_framer.clauses.questions import remark_readings
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.judging.said_words import RULE, words_left
 from semantic_framer.kinds.mood_file import UtteranceKind
@@ -20,6 +18,8 @@ from semantic_framer.linking.clause_links import answers_a_question, asks_whethe
 from semantic_framer.linking.joints import Joints
 from semantic_framer.linking.mixed_lists import are_handled_apart, with_items_apart
 from semantic_framer.linking.news import told_when, with_end_told
+from semantic_framer.queries.deed_questions import is_told_to_speaker
+from semantic_framer.queries.questions import remark_readings
 from semantic_framer.referring.whose_deed import whose_deed
 from semantic_framer.referring.world_attachment import attached_by_world, is_better, question_of_goal
 from semantic_framer.referring.world_references import looked_up_again
@@ -185,7 +185,11 @@ def restructured(
         the sentence; or the readings to choose from, if the correction is ambiguous
     """
     try:
-        return Sentence(run_tree_passes(tree, known, passes, without=known.without, trace=trace), known.types)
+        made = run_tree_passes(tree, known, passes, without=known.without, trace=trace)
+        if not made.quoted or _QUOTATIONS in known.without:
+            return Sentence(made, known.types)
+        plain = run_tree_passes(tree, known, passes, without=known.without | {_QUOTATIONS})
+        return Sentence(made, known.types, unquoted=Sentence(plain, known.types))
     except Uncertain as uncertain:
         if trace is not None:
             trace.add("corrections", after=f"asked: {uncertain}" if uncertain.choices else "all is taken back")
@@ -242,21 +246,20 @@ class _Utterance:
             # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
-            return self._question_or_command(tree, meant, context)
+            return self._question_or_command(meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         heard = self._answered(meant, pending, context)
         if heard is not None:
             return heard
-        return self._with_open(pending, meant, self._question_or_command(tree, meant, context))
+        return self._with_open(pending, meant, self._question_or_command(meant, context))
 
-    def _question_or_command(self, tree: DependencyTree, meant: Sentence, context: Context) -> Heard:
+    def _question_or_command(self, meant: Sentence, context: Context) -> Heard:
         """Understand a sentence that is no answer: "tell me whether you closed the door" asks, and tells nobody."""
-        if meant.tree.quoted and is_told_to_speaker(meant, self._now.known):
-            passes = [one for one in FRAMER_TREE_PASSES if one.name != _QUOTATIONS]
-            plain = restructured(tree, self._now.known, passes=passes)
-            if isinstance(plain, Sentence) and (asked := embedded_question(plain, context, self._now)):
+        if meant.unquoted is not None and is_told_to_speaker(meant, self._now.known):
+            asked = embedded_question(meant.unquoted, context, self._now)
+            if asked is not None:
                 return asked
         return self._attached_by_world(meant, context)
 

@@ -7,7 +7,6 @@ from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 import yaml
 
 from semantic_frames.frame import (
-    Result,
     ConstantArgument,
     ElementMapping,
     FrameElement,
@@ -15,6 +14,7 @@ from semantic_frames.frame import (
     ListPolicy,
     Quantity,
     RelatedFrame,
+    Result,
     SemanticFrame,
     UnknownPolicy,
     ValueCondition,
@@ -106,9 +106,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     return frame
 
 
-def _result(
-    reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameElement, ...]
-) -> Optional[Result]:
+def _result(reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameElement, ...]) -> Optional[Result]:
     """Read what a frame results in: ``{frame: condition_of_state, theme: container_portal, state: closed}``.
 
     Whether that frame exists is not checked here.

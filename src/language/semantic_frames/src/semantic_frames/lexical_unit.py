@@ -164,6 +164,7 @@ class LexicalUnit:
         questions: patterns of whole questions, which are tried in this order
         remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
         conditions: patterns of whole clauses that say how things are, which are tried in this order
+        asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
         values: arguments that the words of a pattern stand for, by element: "open" for "the door opens"
         path: the file that it came from
         line: where it begins, from 1
@@ -177,6 +178,7 @@ class LexicalUnit:
     questions: Tuple[WordPattern, ...] = ()
     conditions: Tuple[WordPattern, ...] = ()
     remarks: Tuple[WordPattern, ...] = ()
+    asks: Tuple[str, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     line: int = 0

@@ -25,6 +25,7 @@ UNIT_KEYS = (
     "question",
     "remark",
     "condition",
+    "asks",
     "values",
     "frame_element_grammatical_relations",
     "elements",
@@ -42,7 +43,7 @@ _ATTRIBUTES = {
 #: Says that a unit does not fill an element.
 _NOTHING = "none"
 #: What may stand in the place of verbs.
-PATTERN_KEYS = ("question", "remark", "condition")
+PATTERN_KEYS = ("question", "remark", "condition", "asks")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -97,6 +98,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
         remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
         conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
+        asks=reader.texts(entries.get("asks"), f"{prefix}asks"),
         values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
         line=line_of(node),
@@ -258,13 +260,13 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     patterns = unit.questions + unit.remarks + unit.conditions
     if patterns:
         filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))
-    if (unit.questions or unit.remarks) and not frame.is_question:
+    if (unit.questions or unit.remarks or unit.asks) and not frame.is_question:
         problems.append(
             Problem(
                 "NOT_A_QUESTION",
                 unit.path,
                 unit.line,
-                "question" if unit.questions else "remark",
+                "question" if unit.questions else "remark" if unit.remarks else "asks",
                 f"the frame {frame.name}, which acts",
                 "a frame with 'is_question: True': a question or a remark never acts",
             )
@@ -301,6 +303,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
             f"a relation for every core element of {frame.name}, or a default in its file",
         )
         for element in frame.frame_elements
-        if element.is_core and not element.default and element.name not in filled
+        # What a question asks for, it leaves out.
+        if element.is_core and not element.default and element.name not in filled and not unit.asks
     ]
     return problems

@@ -142,7 +142,9 @@ class _About:
             return "Never, as far as I remember."
         if any(self._is_planned(one) for one in self._known.running):
             return f'Not yet: I am carrying out "{self._known.doing}".'
-        nothing = {_WHETHER: "No", _WHO: "I did not do that, and do not know who did"}.get(self._asks, "I did not do that")
+        nothing = {_WHETHER: "No", _WHO: "I did not do that, and do not know who did"}.get(
+            self._asks, "I did not do that"
+        )
         return f"{nothing}, as far as I remember."
 
     def _why(self, found: Sequence[TriedClause], tried: Sequence[TriedClause]) -> str:

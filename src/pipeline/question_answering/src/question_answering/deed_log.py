@@ -172,9 +172,7 @@ def is_instance(names: Iterable[str], asked: str, frames: Mapping[str, SemanticF
     return _is_covered(asked, frozenset(names), frames, frozenset())
 
 
-def _is_covered(
-    name: str, names: FrozenSet[str], frames: Mapping[str, SemanticFrame], above: FrozenSet[str]
-) -> bool:
+def _is_covered(name: str, names: FrozenSet[str], frames: Mapping[str, SemanticFrame], above: FrozenSet[str]) -> bool:
     if name in names:
         return True
     frame = frames.get(name)

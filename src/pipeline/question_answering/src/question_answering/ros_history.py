@@ -137,9 +137,7 @@ def planned_nodes(message: CommandPlan) -> Tuple[PlannedNode, ...]:
     for position, node in enumerate(nodes):
         shared = [from_message(argument) for argument in node.arguments]
         first = node.candidates[:1]
-        frames = tuple(
-            frame for one in first for frame in frames_from_messages(one.frames, shared, one.arguments)
-        )
+        frames = tuple(frame for one in first for frame in frames_from_messages(one.frames, shared, one.arguments))
         children = tuple(node.children)
         found.append(PlannedNode(node.kind, children, numbers.get(position, 0), node.label, frames))
     return tuple(found)

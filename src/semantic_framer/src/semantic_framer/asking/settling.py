@@ -11,9 +11,9 @@ from semantic_framer.asking.wishes import without_granted_wishes
 from semantic_framer.clauses.embedded_statements import with_statements
 from semantic_framer.filling.default_values import may_say_direction
 from semantic_framer.judging.said_twice import said_twice
+from semantic_framer.queries.indirect_questions import with_indirect_questions
 from semantic_framer.referring.clause_before import resolve_in_parallel, with_thing_taken
 from semantic_framer.referring.findings_told import with_finding
-from semantic_framer.referring.indirect_questions import with_indirect_questions
 from semantic_framer.referring.persons_spoken_of import PERSON, whom_is_meant
 from semantic_framer.referring.references import noun_phrase, remember, resolve, without_named_beside
 from semantic_framer.referring.world_references import refer, spoken_of, unknown_arguments
@@ -151,7 +151,7 @@ def _settled(
         before = [one[0] for one in done]
         told = (with_finding(reading, before, now.known.frames) for reading in readings)
         readings = tuple(
-            with_statements(with_indirect_questions(reading, sentence.tree, now.known), sentence, now.known)
+            with_statements(with_indirect_questions(reading, sentence, now.known), sentence, now.known)
             for reading in told
         )
         if done:

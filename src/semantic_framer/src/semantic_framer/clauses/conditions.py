@@ -159,14 +159,18 @@ def _read_one(
     if positions and is_auxiliary(sentence.word(positions[0])):
         return None  # "When does Anna come" is a question.
     said = _words(sentence, positions, somebody)
-    found = [] if said is None else [
-        reading
-        for unit in known.lexicon.condition_units(said.forms)
-        for frame in [known.frames.get(unit.frame_name)]
-        if frame is not None and frame.is_condition
-        for reading in [_first_match(sentence, unit, frame, said, is_until)]
-        if reading is not None
-    ]
+    found = (
+        []
+        if said is None
+        else [
+            reading
+            for unit in known.lexicon.condition_units(said.forms)
+            for frame in [known.frames.get(unit.frame_name)]
+            if frame is not None and frame.is_condition
+            for reading in [_first_match(sentence, unit, frame, said, is_until)]
+            if reading is not None
+        ]
+    )
     if not found:
         event = None if somebody else event_condition(sentence, known, positions)
         if event is None:

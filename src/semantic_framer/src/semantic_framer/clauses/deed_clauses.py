@@ -7,7 +7,6 @@ from semantic_framer.clauses.readings import plausible_readings
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
 from semantic_framer.kinds.clause_features import ClauseFeatures
-from semantic_framer.referring.persons_spoken_of import PERSON
 from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.values.reading import Reading
 from typed_arguments import EmbeddedFrame, Source, TypedArgument
@@ -25,6 +24,8 @@ _PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
 #: What a question word asks for that stands for no element.
 _ASKED = {"when": "when", "why": "why"}
 _OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
+#: The semantic type of a person.
+_PERSON = "Human"
 #: FrameNet's name of when something is done.
 _TIME_SAID = "Time"
 
@@ -38,9 +39,7 @@ class DeedClause:
         said_when: the time that the clause names, after :meth:`deed`; none if it names none
     """
 
-    def __init__(
-        self, case: Case, top: int, features: ClauseFeatures, within: Optional[FrozenSet[int]] = None
-    ) -> None:
+    def __init__(self, case: Case, top: int, features: ClauseFeatures, within: Optional[FrozenSet[int]] = None) -> None:
         """
         Args:
             case: the sentence
@@ -164,7 +163,9 @@ class DeedClause:
     def is_of_person(self) -> bool:
         """Whether a person acts, or somebody."""
         form = self._sentence.word(self.features.agent).form.lower() if self.features.agent else ""
-        return form in _WHO | _SPEAKERS or (bool(form) and self._sentence.types.likeliest(self.features.agent) == PERSON)
+        return form in _WHO | _SPEAKERS or (
+            bool(form) and self._sentence.types.likeliest(self.features.agent) == _PERSON
+        )
 
     def asked_element(self, deed: Reading) -> str:
         """Return what is asked for, as the answer needs it: the name of an element, or a word for what none holds."""

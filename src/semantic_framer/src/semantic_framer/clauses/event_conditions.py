@@ -82,7 +82,9 @@ def _of_result(deed: Reading, result: Result) -> Optional[Reading]:
         found = deed.argument(value)
         if found is None and value in result.own_elements:
             return None
-        arguments.append(replace(found, name=name) if found is not None else TypedArgument(name, value, Source.INFERRED))
+        arguments.append(
+            replace(found, name=name) if found is not None else TypedArgument(name, value, Source.INFERRED)
+        )
     return _reading(deed, result.frame, *arguments)
 
 

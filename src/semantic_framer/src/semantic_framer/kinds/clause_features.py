@@ -5,7 +5,7 @@ They are read from the tree alone, and so hold for every verb: auxiliaries, subj
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import List, Optional
+from typing import FrozenSet, List, Optional, Tuple
 
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
@@ -60,7 +60,7 @@ class ClauseFeatures:
     modal: str
     is_passive: bool
     is_negated: bool
-    auxiliaries: frozenset
+    auxiliaries: FrozenSet[int]
 
 
 def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
@@ -70,7 +70,7 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
         tree: the sentence
         top: position of the verb, which its auxiliaries hang on
     """
-    children = tree.children(top)
+    children = children_of_clause(tree, top)
     helping = [child for child in children if child.deprel.split(":")[0] in ("aux", "cop")]
     denying = [child for child in children if child.form.lower() in _NEGATIONS]
     subject = next((child for child in children if child.deprel.startswith("nsubj")), None)
@@ -78,8 +78,12 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
         subject is not None and subject.deprel == "nsubj:pass"
     )
     asked = _question_word(tree, top)
-    is_inverted = any(subject is not None and child.index < subject.index for child in helping)
-    is_asked = asked is not None and (is_inverted or (subject is not None and asked.index in tree.subtree(subject.index)))
+    # "Is there a mug": the verb itself stands before its subject.
+    verbs = [*helping, tree.word(top)] if tree.word(top).lemma.lower() == "be" else helping
+    is_inverted = any(subject is not None and child.index < subject.index for child in verbs)
+    is_asked = asked is not None and (
+        is_inverted or (subject is not None and asked.index in tree.subtree(subject.index))
+    )
     modal = next((child.form.lower() for child in helping if child.xpos == "MD"), "")
     return ClauseFeatures(
         top=top,
@@ -92,6 +96,19 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
         is_negated=bool(denying),
         auxiliaries=frozenset(child.index for child in [*helping, *denying]),
     )
+
+
+def children_of_clause(tree: DependencyTree, top: int) -> Tuple[Word, ...]:
+    """Return what hangs on a verb or predicate.
+
+    The parser hangs the subject of "is the lamp on in the hall" on the hall.
+    """
+    children = tree.children(top)
+    if any(child.deprel.startswith("nsubj") for child in children):
+        return children
+    places = [child for child in children if child.deprel == "obl"]
+    below = [inner for place in places for inner in tree.children(place.index)]
+    return (*children, *(inner for inner in below if inner.deprel == "cop" or inner.deprel.startswith("nsubj")))
 
 
 def _question_word(tree: DependencyTree, top: int) -> Optional[Word]:
@@ -119,7 +136,7 @@ def _agent(tree: DependencyTree, top: int, subject: Optional[Word], is_passive: 
     return 0
 
 
-def _aspect(verb: Word, helping: List[Word], children: tuple) -> Aspect:
+def _aspect(verb: Word, helping: List[Word], children: Tuple[Word, ...]) -> Aspect:
     forms = [child.form.lower() for child in helping]
     lemmas = [child.lemma.lower() for child in helping]
     if any(child.xpos == "VBG" for child in helping):

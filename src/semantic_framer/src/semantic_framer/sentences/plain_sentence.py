@@ -7,16 +7,17 @@ from semantic_framer.asking.choices import choices_left_open
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.changing.fragment_changes import Change, change_of
 from semantic_framer.changing.things_asked_for import as_said, asked_for
-from semantic_framer.clauses.deed_questions import deed_question, embedded_deed_question
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
-from semantic_framer.clauses.questions import question_readings
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.judging.said_words import positions_named
 from semantic_framer.judging.sentence_verdicts import words_outside
-from semantic_framer.judging.verdicts import case_of
+from semantic_framer.judging.verdicts import Case, case_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
+from semantic_framer.queries.deed_questions import asking_features, deed_question, embedded_features
+from semantic_framer.queries.questions import question_readings
+from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
 from semantic_framer.sentences.small_talk import answer_small_talk, small_talk_of
@@ -76,9 +77,7 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     if now.trace is not None:
         for clause, kind in zip(case.clauses, case.kinds):
             now.trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
-    asked = (
-        embedded_deed_question(case, context) or question_readings(case) or deed_question(case, context)
-    )
+    asked = _asked(case, context)
     if asked:
         return _answered(asked, sentence, context, now)
     refusal, clauses = deeds_of(case, now.trace)
@@ -104,10 +103,23 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     return Heard(outcome, context, sentence, clauses, named=words_told(case, clauses) | wished)
 
 
+def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
+    """Return the readings of what a sentence asks; none if it asks nothing that can be answered."""
+    inside, whole = embedded_features(case), asking_features(case)
+    for features in (inside, whole):
+        if features is not None and (found := state_question(case, features)):
+            return found
+        if features is inside and features is not None and (found := deed_question(case, features, context)):
+            return found
+    found = question_readings(case)
+    return found or (deed_question(case, whole, context) if whole is not None else ())
+
+
 def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:
     """Understand a sentence as the question about a deed that it asks: "tell me whether you closed the door"."""
     case = case_of(sentence, find_clauses(sentence.tree, now.known), now.known, now.policy)
-    asked = embedded_deed_question(case, context)
+    features = embedded_features(case)
+    asked = deed_question(case, features, context) if features is not None else ()
     return _answered(asked, sentence, context, now) if asked else None
 
 

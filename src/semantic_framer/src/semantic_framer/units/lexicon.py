@@ -18,6 +18,7 @@ class _Indices(NamedTuple):
     questions: PatternIndex
     remarks: PatternIndex
     conditions: PatternIndex
+    asks: Dict[str, List[LexicalUnit]]
 
 
 class Lexicon:
@@ -84,7 +85,7 @@ class Lexicon:
 
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         for unit in units:
-            if unit.questions or unit.remarks or unit.conditions:
+            if unit.questions or unit.remarks or unit.conditions or unit.asks:
                 self._with_patterns[unit.path].append(unit)
                 self._indices = None
             for verb in dict.fromkeys(unit.verbs):
@@ -135,13 +136,22 @@ class Lexicon:
         """Return the units of which a condition may fit some words, in the order of the files."""
         return self._indexed().conditions.may_fit(words)
 
+    def asking_units(self, asked: str) -> Sequence[LexicalUnit]:
+        """Return the units that ask for an element of a frame of state, "being_located.location"."""
+        return self._indexed().asks.get(asked, ())
+
     def _indexed(self) -> _Indices:
         if self._indices is None:
             units = [unit for units in self._with_patterns.values() for unit in units]
+            asks: Dict[str, List[LexicalUnit]] = defaultdict(list)
+            for unit in units:
+                for asked in unit.asks:
+                    asks[asked].append(unit)
             self._indices = _Indices(
                 PatternIndex(units, lambda unit: unit.questions),
                 PatternIndex(units, lambda unit: unit.remarks),
                 PatternIndex(units, lambda unit: unit.conditions),
+                asks,
             )
         return self._indices
 

@@ -50,6 +50,7 @@ class Sentence:
         phrases: makes the arguments of its phrases
         goals: heads of phrases that say where a thing shall be, as the world has it
         described: heads of phrases that tell which thing is meant, as the world has it
+        unquoted: the sentence before the words of a message became one object; None if nothing is quoted
         arcs: every relation, with all of its names
         relations: the names of all relations
         forms: its words, in lower case
@@ -62,6 +63,7 @@ class Sentence:
         *,
         goals: FrozenSet[int] = frozenset(),
         described: FrozenSet[int] = frozenset(),
+        unquoted: Optional["Sentence"] = None,
     ) -> None:
         """
         Args:
@@ -69,8 +71,10 @@ class Sentence:
             words: semantic types of words; None for those of the language alone
             goals: heads of phrases that say where a thing shall be, as the world has it
             described: heads of phrases that tell which thing is meant, as the world has it
+            unquoted: the sentence before the words of a message became one object
         """
         self.tree = tree
+        self.unquoted = unquoted
         self._types_of_words = words or shipped_types()
         self.types = PhraseTypes(tree, self._types_of_words)
         self.goals = goals
@@ -91,7 +95,7 @@ class Sentence:
         self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()
     ) -> "Sentence":
         """Return the sentence with another tree, and what the world says of its phrases of place."""
-        return Sentence(tree, self._types_of_words, goals=goals, described=described)
+        return Sentence(tree, self._types_of_words, goals=goals, described=described, unquoted=self.unquoted)
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""

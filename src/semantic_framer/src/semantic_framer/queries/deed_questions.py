@@ -5,14 +5,14 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 """
 
 from dataclasses import replace
-from typing import Tuple
+from typing import Optional, Tuple
 
 from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
-from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.question_extent import words_of_question
 from semantic_framer.kinds.question_orders import length_of_opening
+from semantic_framer.queries.questions import only_asks, spelling, top_among
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -32,35 +32,51 @@ _ABILITIES = word_class("permission_modals")
 _CAN = "can"
 
 
-def deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
-    """Return the readings of a question about what was done, runs, is planned or can be done; none for other sentences.
+def deed_question(case: Case, features: ClauseFeatures, context: Context) -> Tuple[Reading, ...]:
+    """Return the readings of a clause that asks what was done, runs, is planned or can be done; none for others.
 
     Args:
         case: the sentence
+        features: of the clause that asks
         context: what was said before, for its pronouns
     """
-    tops = [word.index for word in case.sentence.children(0)]
-    if len(tops) != 1 or any(kind.kind is not UtteranceKind.QUESTION for kind in case.kinds):
+    if case.known.frames.get(QUESTION_OF_EVENT) is None:
         return ()
-    return _asked_of(case, features_of(case.sentence.tree, tops[0]), context)
+    if case.known.heeded and QUESTION_OF_EVENT not in case.known.heeded:
+        return ()
+    return _asked_of(case, features, context)
 
 
-def embedded_deed_question(case: Case, context: Context) -> Tuple[Reading, ...]:
-    """Return the readings of such a question inside a sentence that only asks it: "I want to know whether *you left*",
-    "tell me when *you left*"."""
+def asking_features(case: Case) -> Optional[ClauseFeatures]:
+    """Return the features of the clause that asks, if a sentence only asks one thing; None for other sentences."""
+    words = words_of_question(case.sentence)
+    top = top_among(case.sentence, words)
+    if not top or not only_asks(case, words):
+        return None
+    return features_of(case.sentence.tree, top)
+
+
+def embedded_features(case: Case) -> Optional[ClauseFeatures]:
+    """Return the features of a question inside a sentence that only asks it: "I want to know whether *you left*",
+    "tell me when *you left*"; None for other sentences."""
     sentence = case.sentence
     words = words_of_question(sentence)
-    length = length_of_opening([word.form.lower() for word in words])
-    first = words[length].index if 0 < length < len(words) else 0
-    is_told = is_told_to_speaker(sentence, case.known)
-    for word in sentence.tree.words if first or is_told else ():
-        begin = min(sentence.subtree(word.index))
-        is_question = sentence.word(begin).form.lower() in _WHETHER | _QUESTION_WORDS
-        if word.deprel in ("ccomp", "advcl") and is_question and (begin == first or (is_told and word.head)):
-            features = features_of(sentence.tree, word.index)
-            form = Form.OPEN if features.asked else Form.POLAR
-            return _asked_of(case, replace(features, form=form), context)
-    return ()
+    length = length_of_opening([spelling(word) for word in words])
+    if 0 < length < len(words):
+        return _as_question(sentence, top_among(sentence, words[length:]))
+    for word in sentence.tree.words if is_told_to_speaker(sentence, case.known) else ():
+        begin = sentence.word(min(sentence.subtree(word.index))).form.lower()
+        if word.deprel in ("ccomp", "advcl") and begin in _WHETHER | _QUESTION_WORDS:
+            return _as_question(sentence, word.index)
+    return None
+
+
+def _as_question(sentence: Sentence, top: int) -> Optional[ClauseFeatures]:
+    """Return the features of a clause that is asked, whatever its order; None for no clause."""
+    if not top:
+        return None
+    features = features_of(sentence.tree, top)
+    return replace(features, form=Form.OPEN if features.asked else Form.POLAR)
 
 
 def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:

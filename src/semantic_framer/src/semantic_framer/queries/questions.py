@@ -34,15 +34,27 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     words = words_of_question(case.sentence)
     if ends_inside(case.sentence, words):
         return ()
-    length = length_of_opening([_spelling(word) for word in words])
+    length = length_of_opening([spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
+    # "Can you see Bob in the hall?" begins like a request, and asks.
+    if length or only_asks(case, words):
+        orders.append(tuple(words))
+    return _readings(case, orders)
+
+
+def only_asks(case: Case, words: Sequence[Word]) -> bool:
+    """Whether the words of a question ask for nothing to be done."""
     spoken = {word.index for word in words}
     # "Excuse me" is no command in front of a question.
     acts = any(kind.acts and clause.verb in spoken for clause, kind in zip(case.clauses, case.kinds))
-    # "Can you see Bob in the hall?" begins like a request, and asks.
-    if length or (not acts and _is_question(case)):
-        orders.append(tuple(words))
-    return _readings(case, orders)
+    return not acts and not ends_inside(case.sentence, words) and _is_question(case)
+
+
+def top_among(sentence: Sentence, words: Sequence[Word]) -> int:
+    """Return the position of the one word of some that hangs on none of them; 0 if there are several."""
+    inside = frozenset(word.index for word in words)
+    tops = [word.index for word in words if word.head not in inside]
+    return tops[0] if len(tops) == 1 else 0
 
 
 def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
@@ -57,7 +69,7 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     found = [
         read
         for words in orders
-        for unit in known.lexicon.remark_units([_spelling(word) for word in words])
+        for unit in known.lexicon.remark_units([spelling(word) for word in words])
         if unit.frame_name in frames and frames[unit.frame_name].is_question
         if not known.heeded or unit.frame_name in known.heeded
         for pattern in unit.remarks
@@ -82,7 +94,7 @@ def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ..
 def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]:
     known = case.known
     found: List[Reading] = []
-    for unit in known.lexicon.question_units([_spelling(word) for word in words]):
+    for unit in known.lexicon.question_units([spelling(word) for word in words]):
         frame = known.frames.get(unit.frame_name)
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
@@ -113,7 +125,7 @@ def _read(
     sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern, words: Sequence[Word]
 ) -> Optional[Reading]:
     """Return the reading of words that are all in a pattern; None for other words."""
-    forms = [_spelling(word) for word in words]
+    forms = [spelling(word) for word in words]
     match = compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
         return None
@@ -162,7 +174,8 @@ def _ends_in_state(sentence: Sentence, positions: Sequence[int]) -> bool:
     return last.upos in ("ADJ", "VERB") and has_noun and last.head not in positions
 
 
-def _spelling(word: Word) -> str:
+def spelling(word: Word) -> str:
+    """Return a word as the patterns and openings of questions have it: "would" for "'d"."""
     form = word.form.lower().replace("\u2019", "'")
     if form == _NOT:
         return "not"

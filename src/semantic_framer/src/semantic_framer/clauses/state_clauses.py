@@ -1,0 +1,499 @@
+"""Reads clauses that say or ask how things are: where they are, in which state, how many there are, and whose.
+
+"Be" and its like evoke a frame of state by the type of their complement, whatever the mood. A question asks for one
+element of that frame.
+"""
+
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
+
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, children_of_clause
+from semantic_framer.values.sentence import Sentence
+from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+#: The frames of states.
+LOCATED, IN_STATE, EXISTING = "being_located", "being_in_state", "existing"
+HAVING, HOLDING, BELONGING = "having", "holding", "belonging"
+COLOURED, FOREMOST, PERCEIVED = "being_coloured", "being_foremost", "being_perceived"
+#: What may be asked for beside an element.
+WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
+_HEARERS = word_class("hearers")
+_US = word_class("hearers") | word_class("speaker_subjects")
+_NO_THEMES = _US | word_class("demonstrative_pronouns")
+_PERSON_NOUNS = word_class("general_person_nouns")
+_THINGS_ASKED = frozenset(["anything", "something"])
+_WHO = frozenset(["who", "whom"])
+_WHICH = frozenset(["which", "what"])
+_WHERE = frozenset(["where", "whereabouts"])
+_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
+_PLACE_NOUNS = frozenset(["room", "place"])
+_HERE = frozenset(["here", "there", "home", "upstairs", "downstairs", "outside", "inside", "nearby"])
+_STATES = word_class("state_particles")
+_POSTURES = word_class("posture_verbs")
+_KEPT = frozenset(["turn", "switch", "leave", "keep", "set"])
+_COLOURS = frozenset(["colour", "color"])
+_HELD = frozenset(["hold", "carry"])
+_HANDS = frozenset(["hand", "arm", "gripper"])
+_SEEN = frozenset(["see", "notice", "spot"])
+_KNOWN = frozenset(["know"])
+_FOUND = frozenset(["find", "put", "leave", "drop"])
+_GONE = frozenset(["go", "get", "end"])
+_LEFT = frozenset(
+    [
+        "left",
+        "last",
+        "anywhere",
+        "somewhere",
+        "around",
+        "still",
+        "already",
+        "yet",
+        "now",
+        "currently",
+        "at",
+        "all",
+        "else",
+        "not",
+    ]
+)
+_FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
+Positions = Tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class StateClause:
+    """What a clause says of a state.
+
+    Attributes:
+        frame: of the state
+        asked: what is asked for: whether, an element, a thing, a person, or a count
+        elements: the positions of the words of each element that is named
+    """
+
+    frame: str
+    asked: str
+    elements: Mapping[str, Positions]
+
+
+def state_clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int]) -> Optional[StateClause]:
+    """Return what a clause says of a state; None for other clauses, and where a word is left over.
+
+    Args:
+        sentence: the sentence
+        features: of the clause
+        words: positions of the words that count
+    """
+    return _Clause(sentence, features, words).read()
+
+
+class _Clause:
+    def __init__(self, sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int]) -> None:
+        self._sentence = sentence
+        self._words = words
+        self._features = features
+        self._top = sentence.word(features.top)
+        self._children = children_of_clause(sentence.tree, features.top)
+        #: Words that only ask: "anything".
+        self._asking: FrozenSet[int] = frozenset()
+        self._subject = next((child for child in self._children if child.deprel.startswith("nsubj")), None)
+        self._lemma = self._top.lemma.lower()
+        self._is_predicate = any(child.deprel == "cop" for child in self._children)
+
+    def read(self) -> Optional[StateClause]:
+        """Return what the clause says."""
+        if self._subject is None:
+            return self._of_phrase()
+        for reading in (self._of_be, self._of_verb):
+            found = reading()
+            if found is not None:
+                return found if self._has_all_words(found) else None
+        return None
+
+    def _of_phrase(self) -> Optional[StateClause]:
+        """Read "the colour of the mug", which asks for it where something is asked for."""
+        owner = next((child for child in self._children if child.deprel == "nmod"), None)
+        if self._lemma not in _COLOURS or owner is None:
+            return None
+        return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
+
+    # --- words
+
+    def _cases(self, word: Word) -> FrozenSet[int]:
+        return frozenset(child.index for child in self._sentence.children(word.index) if child.deprel == "case")
+
+    def _phrase(self, word: Word, without: FrozenSet[int] = frozenset()) -> Positions:
+        """Return a phrase without what only asks: "which", "how many"."""
+        lost = [c for c in self._sentence.children(word.index) if c.deprel == "cop" or c.deprel.startswith("nsubj")]
+        inside = self._sentence.subtree(word.index).difference(
+            without, *(self._sentence.subtree(c.index) for c in lost)
+        )
+        asking = frozenset(
+            index
+            for child in self._sentence.children(word.index)
+            for index in self._sentence.subtree(child.index)
+            if child.deprel in ("det", "amod", "advmod", "case")
+            if self._features.asked in self._sentence.subtree(child.index) and child.index != word.index
+        )
+        words = sorted(inside - asking)
+        return tuple(index for index in words if self._sentence.word(index).upos != "PUNCT")
+
+    def _place_of(self, word: Word) -> Optional[Word]:
+        """Return the first phrase of place that a word governs."""
+        return next((child for child in self._sentence.children(word.index) if self._is_place(child)), None)
+
+    def _is_place(self, word: Word) -> bool:
+        cases = [child.form.lower() for child in self._sentence.children(word.index) if child.deprel == "case"]
+        if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
+            return False
+        if word.form.lower() in _LEFT or any(word.index in time for time in self._sentence.tree.times):
+            return False
+        if self._sentence.types.likeliest(word.index) == "Time":
+            return False  # "at the moment"
+        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in _HERE
+
+    def _asked_of(self, word: Word) -> str:
+        """Return what a phrase asks for; empty if it asks for nothing."""
+        form = word.form.lower()
+        asked = self._sentence.word(self._features.asked) if self._features.asked else None
+        if form in _WHO:
+            return PERSON
+        inside = self._sentence.subtree(word.index)
+        if word.index == self._top.index and self._subject is not None:
+            inside = inside - self._sentence.subtree(self._subject.index)
+        if asked is None or asked.index not in inside:
+            return ""
+        if asked.form.lower() == "how":
+            is_count = any(child.lemma.lower() == "many" for child in self._sentence.children(word.index))
+            return COUNT if is_count else ""
+        return THING if asked.form.lower() in _WHICH else ""
+
+    def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
+        """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
+        asks = self._asked_of(word)
+        form = word.form.lower()
+        if asks and form in _WHO | _WHICH:
+            inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
+            return {} if inner is None else {"theme": self._bare(inner)}
+        place = self._place_of(word) if asks else None
+        outside = self._sentence.subtree(place.index) if place is not None else frozenset()
+        found = {"theme": self._phrase(word, without | outside)}
+        if place is not None:
+            found["location"] = self._phrase(place)
+        return found
+
+    def _bare(self, word: Word) -> Positions:
+        """Return the noun of "which *of the bottles*", without its preposition and its article."""
+        left = [child.index for child in self._sentence.children(word.index) if child.deprel in ("case", "det")]
+        return tuple(index for index in self._phrase(word) if index not in left)
+
+    def _with_alternative(self, words: Dict[str, Positions], name: str, word: Word) -> Dict[str, Positions]:
+        """Return an element, and the alternative to it: "on the table *or in the sink*"."""
+        other = next((child for child in self._sentence.children(word.index) if child.deprel == "conj"), None)
+        outside = frozenset() if other is None else self._sentence.subtree(other.index)
+        found = {**words, name: self._phrase(word, outside | self._own(word))}
+        if other is not None and other.form.lower() != "not":
+            joints = frozenset(c.index for c in self._sentence.children(other.index) if c.deprel == "cc")
+            found["alternative"] = self._phrase(other, joints)
+        return found
+
+    def _own(self, word: Word) -> FrozenSet[int]:
+        """Return the words that a predicate governs as a clause, and that are no part of its phrase."""
+        if word.index != self._top.index:
+            return frozenset()
+        clause = [
+            child
+            for child in self._children
+            if child.deprel.split(":")[0] in _FUNCTION | {"nsubj", "advmod", "obl", "parataxis", "advcl"}
+        ]
+        return frozenset().union(*(self._sentence.subtree(child.index) for child in clause))
+
+    def _has_all_words(self, clause: StateClause) -> bool:
+        said = self._asking.union(*clause.elements.values())
+        padding = frozenset(index for time in self._sentence.tree.times for index in time)
+        for index in (self._sentence.subtree(self._top.index) & self._words) - said - padding:
+            word = self._sentence.word(index)
+            is_small = word.deprel.split(":")[0] in _FUNCTION | {"det", "case"} or word.form.lower() in _LEFT
+            is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in ("many", "be")
+            is_time = self._sentence.types.likeliest(index) == "Time"
+            if not is_small and not is_own and not is_time and word is not self._subject:
+                return False
+        return True
+
+    # --- "be"
+
+    def _of_be(self) -> Optional[StateClause]:
+        assert self._subject is not None
+        subject, top = self._subject, self._top
+        if self._lemma == "be" and not self._is_predicate:
+            return self._of_existence(subject)
+        if self._is_predicate:
+            return self._of_predicate(subject)
+        is_state = self._features.is_passive or top.xpos in ("VBG", "VBN")
+        helped = any(child.deprel.startswith("aux") and child.lemma.lower() == "be" for child in self._children)
+        if not is_state or not helped:
+            return None
+        if self._lemma in _HELD:
+            return self._of_holding(subject)
+        if self._lemma in _POSTURES and (place := self._place_of(top)) is not None and not self._asked_of(subject):
+            return self._located(subject, place)
+        return self._in_state(subject)
+
+    def _of_existence(self, subject: Word) -> Optional[StateClause]:
+        if not any(child.deprel == "expl" for child in self._children):
+            return None
+        place = self._place_of(self._top) or self._place_of(subject)
+        if place is None:
+            asked = self._asked_of(subject)
+            theme = self._theme(subject, self._left(subject))
+            return StateClause(EXISTING, asked or WHETHER, theme) if theme else None
+        return self._located(subject, place)
+
+    def _left(self, word: Word) -> FrozenSet[int]:
+        """Return the words of "any milk *left*"."""
+        return frozenset(child.index for child in self._sentence.children(word.index) if child.form.lower() == "left")
+
+    def _of_predicate(self, subject: Word) -> Optional[StateClause]:
+        top, form = self._top, self._top.form.lower()
+        if form in _WHERE:
+            return self._where(subject)
+        if form in _WHO and subject.form.lower() in _HERE:
+            return StateClause(LOCATED, PERSON, {"location": (subject.index,)})
+        owner = next((child for child in self._children if child.form.lower() == "whose"), None)
+        if owner is not None:
+            self._asking = frozenset([owner.index])
+            return StateClause(BELONGING, "owner", {"theme": self._phrase(top, self._asking | self._own(top))})
+        if form == "whose":
+            return StateClause(BELONGING, "owner", {"theme": self._phrase(subject)})
+        if self._lemma in _COLOURS and self._asked_of(top):
+            return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
+        if form in _WHICH | _WHO:
+            return self._of_noun(subject)
+        behind = next((c for c in self._children if c.deprel == "case" and c.form.lower() in _STATES), None)
+        if behind is not None and behind.index > top.index:
+            # "Is the radio in the kitchen on": the parser takes "on" for a preposition of the kitchen.
+            outside = self._own(top) | {behind.index}
+            elements = {**self._theme(subject), "state": (behind.index,), "location": self._phrase(top, outside)}
+            return StateClause(IN_STATE, self._asked_of(subject) or WHETHER, elements)
+        if self._is_place(top) and top.upos != "ADJ":
+            if self._asked_of(top):
+                return None if self._asked_of(top) != THING else self._in_which_place(subject)
+            return self._located(subject, top)
+        if top.upos in ("NOUN", "PROPN", "PRON", "NUM"):
+            return None
+        if top.xpos == "JJS":
+            return self._foremost(subject)
+        return self._in_state(subject)
+
+    def _in_which_place(self, subject: Word) -> Optional[StateClause]:
+        return self._where(subject) if self._top.lemma.lower() in _PLACE_NOUNS else None
+
+    def _where(self, subject: Word) -> Optional[StateClause]:
+        if subject.form.lower() in _US:
+            return StateClause(LOCATED, "own_place", {})
+        if subject.form.lower() in _NO_THEMES:
+            return None
+        return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
+
+    def _of_noun(self, subject: Word) -> Optional[StateClause]:
+        """Read "what is the colour of the mug", "what is the biggest thing"."""
+        children = self._sentence.children(subject.index)
+        owner = next((child for child in children if child.deprel.startswith("nmod")), None)
+        if subject.lemma.lower() in _COLOURS and owner is not None:
+            return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
+        if subject.lemma.lower() == "number" and owner is not None:
+            return self._counted(subject, owner)
+        if any(child.xpos == "JJS" for child in children):
+            here = next((child for child in self._children if child.form.lower() in _HERE), None)
+            known = next((child for child in children if child.lemma.lower() in _KNOWN | _SEEN), None)
+            # "The biggest thing *you know of* in the hall."
+            outside = frozenset() if known is None else self._sentence.subtree(known.index)
+            place = here if known is None else self._place_of(known)
+            self._asking = outside
+            elements = {"theme": self._phrase(subject, outside)}
+            return StateClause(
+                FOREMOST, "theme", elements if place is None else {**elements, "location": self._phrase(place)}
+            )
+        return None
+
+    def _counted(self, number: Word, things: Word) -> Optional[StateClause]:
+        """Read "what is the number of lamps in the kitchen"."""
+        self._asking = frozenset([number.index])
+        place = self._place_of(things) or next(
+            (c for c in self._sentence.children(number.index) if c is not things and self._is_place(c)), None
+        )
+        outside = frozenset() if place is None else self._sentence.subtree(place.index)
+        theme = {"theme": self._phrase(things, outside | self._cases(things))}
+        return StateClause(LOCATED, COUNT, theme if place is None else {**theme, "location": self._phrase(place)})
+
+    def _foremost(self, subject: Word) -> Optional[StateClause]:
+        theme = self._theme(subject)
+        if not self._asked_of(subject) or not theme:
+            return None
+        return StateClause(FOREMOST, "theme", {**theme, "rank": (self._top.index,)})
+
+    def _located(self, subject: Word, place: Word) -> Optional[StateClause]:
+        form = subject.form.lower()
+        if form in _NO_THEMES:
+            return None
+        if place.lemma.lower() in _HANDS:
+            return self._in_hand(subject, place)
+        outside = self._sentence.subtree(place.index) if place.index != self._top.index else frozenset()
+        words = self._with_alternative({}, "location", place)
+        asked = self._asked_of(subject)
+        if asked == PERSON or (asked == THING and subject.lemma.lower() in _PERSON_NOUNS):
+            return StateClause(LOCATED, PERSON, words)
+        if not asked and form in _PERSON_NOUNS:
+            return StateClause(LOCATED, PERSON, words)
+        if not asked and form in _THINGS_ASKED:
+            return StateClause(LOCATED, THING, words)
+        theme = self._theme(subject, outside | self._left(subject))
+        theme.pop("location", None)
+        return StateClause(LOCATED, asked or WHETHER, {**theme, **words})
+
+    def _in_hand(self, subject: Word, hand: Word) -> Optional[StateClause]:
+        """Read "what is in your hand", "is the mug in your hand"."""
+        owners = [child.form.lower() for child in self._sentence.children(hand.index) if child.deprel == "nmod:poss"]
+        if owners != ["your"]:
+            return None
+        self._asking = self._sentence.subtree(hand.index)
+        if self._asked_of(subject) == THING or subject.form.lower() in _THINGS_ASKED:
+            return StateClause(HOLDING, "theme", {})
+        return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})
+
+    def _in_state(self, subject: Word) -> Optional[StateClause]:
+        form, top = subject.form.lower(), self._top
+        if form in _NO_THEMES:
+            return None
+        state = top
+        if self._features.is_passive and top.form.lower() == "left" and len(self._sentence.subtree(top.index)) > 2:
+            if not any(child.form.lower() in _STATES or child.upos == "ADJ" for child in self._children):
+                asked = self._asked_of(subject)
+                return StateClause(EXISTING, asked or WHETHER, self._theme(subject))
+        if top.lemma.lower() in _KEPT or top.form.lower() == "left":
+            found = [child for child in self._children if child.deprel in ("compound:prt", "advmod", "xcomp", "obl")]
+            state = next((child for child in found if child.form.lower() in _STATES or child.upos == "ADJ"), top)
+            if state is top:
+                return None
+        elements = self._with_alternative({}, "state", state)
+        if len(elements["state"]) != 1:
+            return None
+        place = self._place_of(top)
+        if place is not None and place is not state:
+            elements["location"] = self._phrase(place)
+        asked = self._asked_of(subject)
+        return StateClause(
+            IN_STATE, THING if asked == PERSON else asked or WHETHER, {**self._theme(subject), **elements}
+        )
+
+    # --- other verbs
+
+    def _of_verb(self) -> Optional[StateClause]:
+        assert self._subject is not None
+        subject = self._subject
+        if self._features.asked and self._sentence.word(self._features.asked).form.lower() in _WHERE:
+            return self._whereabouts(subject)
+        has = any(child.lemma.lower() == "have" for child in self._children if child.deprel == "aux")
+        if self._lemma == "have" or (self._lemma == "get" and has):
+            return self._of_having(subject)
+        if self._lemma in _HELD:
+            return self._of_holding(subject)
+        if self._lemma in ("own", "belong"):
+            return self._of_belonging(subject)
+        if self._lemma in _SEEN | _KNOWN and subject.form.lower() in _US:
+            return self._of_perceiving()
+        return None
+
+    def _whereabouts(self, subject: Word) -> Optional[StateClause]:
+        """Read "where can I find the mug", "where did the mug go", "where did I leave the mug"."""
+        thing = self._object()
+        if thing is not None and subject.form.lower() in _US and self._lemma in _FOUND | _SEEN:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
+        if thing is None and self._lemma in _GONE and subject.form.lower() not in _NO_THEMES:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
+        return None
+
+    def _object(self) -> Optional[Word]:
+        return next((child for child in self._children if child.deprel == "obj"), None)
+
+    def _of_having(self, subject: Word) -> Optional[StateClause]:
+        thing = self._object()
+        if thing is None:
+            return None
+        hand = next((child for child in self._children if child.lemma.lower() in _HANDS), None)
+        hand = hand or next(
+            (child for child in self._sentence.children(thing.index) if child.lemma.lower() in _HANDS), None
+        )
+        if hand is not None:
+            self._asking = self._sentence.subtree(hand.index)
+            return self._of_holding(subject)
+        if thing.lemma.lower() in _COLOURS and self._asked_of(thing):
+            self._asking = self._sentence.subtree(thing.index)
+            return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
+        is_ours, asked = subject.form.lower() in _US, self._asked_of(thing)
+        if asked == COUNT:
+            theme = self._theme(thing)
+            place = self._place_of(self._top)
+            where = subject if not is_ours else place
+            return StateClause(LOCATED, COUNT, theme if where is None else {**theme, "location": self._phrase(where)})
+        if self._asked_of(subject) == PERSON:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
+        if asked:
+            return None if is_ours else StateClause(HAVING, "possession", {"owner": self._phrase(subject)})
+        if is_ours:
+            return StateClause(EXISTING, WHETHER, {"theme": self._phrase(thing, self._left(thing))})
+        return StateClause(HOLDING, WHETHER, {"agent": self._phrase(subject), "theme": self._phrase(thing)})
+
+    def _of_holding(self, subject: Word) -> Optional[StateClause]:
+        thing = self._object()
+        if thing is None or subject.form.lower() in _US - _HEARERS:
+            return None
+        if self._asked_of(subject) == PERSON:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
+        agent = {"agent": self._phrase(subject)}
+        if thing.form.lower() in _THINGS_ASKED:
+            self._asking |= {thing.index}
+        if thing.form.lower() in _THINGS_ASKED or self._asked_of(thing):
+            return StateClause(HOLDING, "theme", agent)
+        return StateClause(HOLDING, WHETHER, {**agent, "theme": self._phrase(thing)})
+
+    def _of_belonging(self, subject: Word) -> Optional[StateClause]:
+        thing = self._object()
+        if self._lemma == "own":
+            if thing is None:
+                return None
+            if self._asked_of(subject) == PERSON:
+                return StateClause(BELONGING, "owner", {"theme": self._phrase(thing)})
+            return (
+                StateClause(HAVING, "possession", {"owner": self._phrase(subject)}) if self._asked_of(thing) else None
+            )
+        owner: List[Word] = [child for child in self._children if child.deprel == "obl"]
+        if owner and self._asked_of(owner[0]) == PERSON:
+            return StateClause(BELONGING, "owner", {"theme": self._phrase(subject)})
+        if owner and self._asked_of(subject) == THING:
+            return StateClause(HAVING, "possession", {"owner": self._phrase(owner[0], self._cases(owner[0]))})
+        return None
+
+    def _of_perceiving(self) -> Optional[StateClause]:
+        thing = self._object()
+        if thing is None or (
+            self._features.agent and self._sentence.word(self._features.agent).form.lower() not in _US
+        ):
+            return None
+        place = self._place_of(self._top) or self._place_of(thing)
+        outside = frozenset() if place is None else self._sentence.subtree(place.index)
+        where = {} if place is None else {"location": self._phrase(place)}
+        asked = self._asked_of(thing)
+        theme = self._theme(thing, outside)
+        theme.pop("location", None)
+        if asked == COUNT:
+            return StateClause(LOCATED, COUNT, {**theme, **where})
+        if asked and not where:
+            return StateClause(EXISTING, THING, theme) if theme else None
+        if asked:
+            return StateClause(LOCATED, asked, {**theme, **where})
+        if self._lemma in _KNOWN:
+            return None
+        if self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE) and not where:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
+        return StateClause(LOCATED if where else EXISTING, WHETHER, {"theme": self._phrase(thing, outside), **where})

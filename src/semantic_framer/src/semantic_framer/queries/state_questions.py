@@ -1,0 +1,80 @@
+"""Reads questions about states: the unit that asks for an element of a frame of state evokes the question."""
+
+from typing import FrozenSet, Optional, Tuple
+
+from semantic_framer.clauses.state_clauses import StateClause, state_clause
+from semantic_framer.judging.verdicts import Case
+from semantic_framer.kinds.clause_features import ClauseFeatures, Form
+from semantic_framer.kinds.question_extent import words_of_question
+from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.word_patterns import argument_of
+from semantic_framer.values.reading import Reading
+from semantic_framer.values.sentence import Sentence
+from semantic_frames.lexical_unit import LexicalUnit
+
+_ALTERNATIVE = "alternative"
+
+
+def state_question(case: Case, features: ClauseFeatures) -> Tuple[Reading, ...]:
+    """Return the reading of a clause that asks how things are; none for other clauses.
+
+    Args:
+        case: the sentence
+        features: of the clause
+    """
+    if features.form is Form.PLAIN:
+        return ()
+    words = frozenset(word.index for word in words_of_question(case.sentence))
+    found = asked_frame(case.sentence, case.known, features, words)
+    return (found,) if found is not None else ()
+
+
+def asked_frame(
+    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
+) -> Optional[Reading]:
+    """Return the reading of the question that a clause asks about a state; None for other clauses.
+
+    Args:
+        sentence: the sentence
+        known: lexical units and frames
+        features: of the clause
+        words: positions of the words that count
+    """
+    clause = state_clause(sentence, features, words)
+    unit = _unit(known, clause) if clause is not None else None
+    return _reading(sentence, known, unit, clause) if clause is not None and unit is not None else None
+
+
+def _unit(known: FramedLexicon, clause: StateClause) -> Optional[LexicalUnit]:
+    for unit in known.lexicon.asking_units(f"{clause.frame}.{clause.asked}"):
+        frame = known.frames.get(unit.frame_name)
+        if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
+            continue
+        if all(frame.element(name) is not None for name in clause.elements if name != _ALTERNATIVE):
+            return unit
+    return None
+
+
+def _reading(sentence: Sentence, known: FramedLexicon, unit: LexicalUnit, clause: StateClause) -> Reading:
+    frame = known.frames[unit.frame_name]
+    elements = dict(clause.elements)
+    if frame.element(_ALTERNATIVE) is None and _ALTERNATIVE in elements:
+        # "Who is in the hall or in the kitchen" names one place or the other.
+        first, last = elements["location"], elements.pop(_ALTERNATIVE)
+        elements["location"] = tuple(range(min(first), max(last) + 1))
+    inside = frozenset(index for words in elements.values() for index in words)
+    own = tuple(word.index for word in sentence.tree.words if word.index not in inside and word.upos != "PUNCT")
+    return Reading(
+        unit=unit,
+        verb=f"{clause.frame}.{clause.asked}",
+        verb_positions=own,
+        arguments=tuple(
+            argument_of(sentence, element.name, elements[element.name])
+            for element in frame.frame_elements
+            if element.name in elements
+        ),
+        missing=(),
+        left_over=(),
+        coverage=1.0,
+        clause_text=sentence.tree.text.strip(),
+    )
