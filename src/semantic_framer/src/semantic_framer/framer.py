@@ -189,7 +189,7 @@ def restructured(
         if not made.quoted or _QUOTATIONS in known.without:
             return Sentence(made, known.types)
         plain = run_tree_passes(tree, known, passes, without=known.without | {_QUOTATIONS})
-        return Sentence(made, known.types, unquoted=Sentence(plain, known.types))
+        return Sentence(made, known.types, unquoted_tree=plain)
     except Uncertain as uncertain:
         if trace is not None:
             trace.add("corrections", after=f"asked: {uncertain}" if uncertain.choices else "all is taken back")

@@ -45,7 +45,6 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
         ("set the vase to 20", "NO_READING"),
         ("take the second left", "LEFT_OVER_WORDS"),
         ("move a little bit closer to the table", "LEFT_OVER_WORDS"),
-        ("where did you go", "QUESTION"),
         ("are you tall", "QUESTION"),
         ("is the door heavy to open", "QUESTION"),
         ("what did the table cost", "QUESTION"),

@@ -28,9 +28,9 @@ def test_one_sentence_for_each_tree(understand: Any, monkeypatch: pytest.MonkeyP
     built: List[DependencyTree] = []
 
     class Counted(Sentence):
-        def __init__(self, tree: DependencyTree, words: WordTypes) -> None:
+        def __init__(self, tree: DependencyTree, words: WordTypes, **others: Any) -> None:
             built.append(tree)
-            super().__init__(tree, words)
+            super().__init__(tree, words, **others)
 
     monkeypatch.setattr(framer, "Sentence", Counted)
     # Other trees of the sentence, which are read where the parser's may be wrong, have sentences of their own.

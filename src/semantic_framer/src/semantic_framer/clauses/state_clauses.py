@@ -104,6 +104,8 @@ class _Clause:
         """Return what the clause says."""
         if self._subject is None:
             return self._of_phrase()
+        if self._features.modal and self._lemma not in _SEEN | _FOUND:
+            return None
         for reading in (self._of_be, self._of_verb):
             found = reading()
             if found is not None:

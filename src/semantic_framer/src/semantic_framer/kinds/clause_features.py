@@ -72,7 +72,8 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
     """
     children = children_of_clause(tree, top)
     helping = [child for child in children if child.deprel.split(":")[0] in ("aux", "cop")]
-    denying = [child for child in children if child.form.lower() in _NEGATIONS]
+    # "Is it open or not" denies nothing.
+    denying = [child for child in children if child.form.lower() in _NEGATIONS and child.deprel != "conj"]
     subject = next((child for child in children if child.deprel.startswith("nsubj")), None)
     is_passive = any(child.deprel == "aux:pass" for child in helping) or (
         subject is not None and subject.deprel == "nsubj:pass"

@@ -28,8 +28,9 @@ QUESTION_OF_EVENT = "question_of_event"
 ASKS, ASPECT, ABLE = "asks", "aspect", "able"
 _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
 _QUESTION_WORDS = word_class("question_words")
-_ABILITIES = word_class("permission_modals")
+#: "Could you close it" is a request, whatever it is embedded in.
 _CAN = "can"
+_ABILITIES = frozenset([_CAN, "ca"])
 
 
 def deed_question(case: Case, features: ClauseFeatures, context: Context) -> Tuple[Reading, ...]:
@@ -51,9 +52,13 @@ def asking_features(case: Case) -> Optional[ClauseFeatures]:
     """Return the features of the clause that asks, if a sentence only asks one thing; None for other sentences."""
     words = words_of_question(case.sentence)
     top = top_among(case.sentence, words)
-    if not top or not only_asks(case, words):
+    # "Can you see Bob in the hall?" begins like a request, and asks.
+    is_question = only_asks(case, words) or bool(length_of_opening([spelling(word) for word in words]))
+    if not top or not is_question:
         return None
-    return features_of(case.sentence.tree, top)
+    features = features_of(case.sentence.tree, top)
+    is_marked = features.form is Form.PLAIN and case.sentence.tree.text.rstrip().endswith("?")
+    return replace(features, form=Form.POLAR) if is_marked else features
 
 
 def embedded_features(case: Case) -> Optional[ClauseFeatures]:

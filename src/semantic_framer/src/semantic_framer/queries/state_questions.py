@@ -22,7 +22,8 @@ def state_question(case: Case, features: ClauseFeatures) -> Tuple[Reading, ...]:
         case: the sentence
         features: of the clause
     """
-    if features.form is Form.PLAIN:
+    # "Who is not in the kitchen" asks for all others.
+    if features.form is Form.PLAIN or features.is_negated:
         return ()
     words = frozenset(word.index for word in words_of_question(case.sentence))
     found = asked_frame(case.sentence, case.known, features, words)

@@ -88,7 +88,7 @@ def understand_linked(
         return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
     for joint in joints.found:
         now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
-    bare = Sentence(left, now.known.types, unquoted=sentence.unquoted)
+    bare = Sentence(left, now.known.types, unquoted_tree=sentence.unquoted_tree)
     parts = found_clauses(bare, find_clauses(left, now.known), now.known, now.trace)
     case = case_of(bare, parts, now.known, now.policy)
     refusal, clauses = deeds_of(case, now.trace)

@@ -105,14 +105,16 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
 
 def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     """Return the readings of what a sentence asks; none if it asks nothing that can be answered."""
-    inside, whole = embedded_features(case), asking_features(case)
-    for features in (inside, whole):
-        if features is not None and (found := state_question(case, features)):
+    inside = embedded_features(case)
+    if inside is not None:
+        found = state_question(case, inside) or deed_question(case, inside, context)
+        if found:
             return found
-        if features is inside and features is not None and (found := deed_question(case, features, context)):
-            return found
+    whole = asking_features(case)
     found = question_readings(case)
-    return found or (deed_question(case, whole, context) if whole is not None else ())
+    if found or whole is None:
+        return found
+    return state_question(case, whole) or deed_question(case, whole, context)
 
 
 def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:

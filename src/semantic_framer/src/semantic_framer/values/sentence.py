@@ -1,5 +1,6 @@
 """A sentence: its tree, and the relations of each governor."""
 
+from functools import cached_property
 from typing import Dict, FrozenSet, Optional, Sequence, Set, Tuple
 
 from phrase_meanings.phrase_types import PhraseTypes
@@ -50,7 +51,6 @@ class Sentence:
         phrases: makes the arguments of its phrases
         goals: heads of phrases that say where a thing shall be, as the world has it
         described: heads of phrases that tell which thing is meant, as the world has it
-        unquoted: the sentence before the words of a message became one object; None if nothing is quoted
         arcs: every relation, with all of its names
         relations: the names of all relations
         forms: its words, in lower case
@@ -63,7 +63,7 @@ class Sentence:
         *,
         goals: FrozenSet[int] = frozenset(),
         described: FrozenSet[int] = frozenset(),
-        unquoted: Optional["Sentence"] = None,
+        unquoted_tree: Optional[DependencyTree] = None,
     ) -> None:
         """
         Args:
@@ -71,10 +71,10 @@ class Sentence:
             words: semantic types of words; None for those of the language alone
             goals: heads of phrases that say where a thing shall be, as the world has it
             described: heads of phrases that tell which thing is meant, as the world has it
-            unquoted: the sentence before the words of a message became one object
+            unquoted_tree: the tree before the words of a message became one object; None if nothing is quoted
         """
         self.tree = tree
-        self.unquoted = unquoted
+        self.unquoted_tree = unquoted_tree
         self._types_of_words = words or shipped_types()
         self.types = PhraseTypes(tree, self._types_of_words)
         self.goals = goals
@@ -95,7 +95,12 @@ class Sentence:
         self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()
     ) -> "Sentence":
         """Return the sentence with another tree, and what the world says of its phrases of place."""
-        return Sentence(tree, self._types_of_words, goals=goals, described=described, unquoted=self.unquoted)
+        return Sentence(tree, self._types_of_words, goals=goals, described=described, unquoted_tree=self.unquoted_tree)
+
+    @cached_property
+    def unquoted(self) -> Optional["Sentence"]:
+        """The sentence before the words of a message became one object; None if nothing is quoted."""
+        return None if self.unquoted_tree is None else Sentence(self.unquoted_tree, self._types_of_words)
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""
