@@ -165,6 +165,8 @@ class LexicalUnit:
         remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
         conditions: patterns of whole clauses that say how things are, which are tried in this order
         asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
+        holds: the frames of state that a condition may be said in: "being_located"
+        events: verbs of what happens, in conditions alone, with their particles: "show up"
         values: arguments that the words of a pattern stand for, by element: "open" for "the door opens"
         path: the file that it came from
         line: where it begins, from 1
@@ -179,6 +181,8 @@ class LexicalUnit:
     conditions: Tuple[WordPattern, ...] = ()
     remarks: Tuple[WordPattern, ...] = ()
     asks: Tuple[str, ...] = ()
+    holds: Tuple[str, ...] = ()
+    events: Tuple[str, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     line: int = 0

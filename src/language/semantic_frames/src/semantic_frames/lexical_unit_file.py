@@ -26,6 +26,8 @@ UNIT_KEYS = (
     "remark",
     "condition",
     "asks",
+    "holds",
+    "event",
     "values",
     "frame_element_grammatical_relations",
     "elements",
@@ -43,7 +45,7 @@ _ATTRIBUTES = {
 #: Says that a unit does not fill an element.
 _NOTHING = "none"
 #: What may stand in the place of verbs.
-PATTERN_KEYS = ("question", "remark", "condition", "asks")
+PATTERN_KEYS = ("question", "remark", "condition", "asks", "holds")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -71,7 +73,10 @@ def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
 def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     prefix = f"{key}." if key else ""
     has_patterns = any(pattern in _keys(node) for pattern in PATTERN_KEYS)
-    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if has_patterns else ("frame_name", "verb"))
+    has_event = "event" in _keys(node)
+    is_bare = has_patterns or has_event
+    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if is_bare else ("frame_name", "verb"))
+    events = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("event"), f"{prefix}event"))
     verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
     listed, changed = entries.get("frame_element_grammatical_relations"), entries.get("elements")
     if changed is not None and (listed is not None or has_patterns):
@@ -83,7 +88,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             f"'elements' beside {beside}",
             "only one of them: 'elements' says what is special about a verb that inherits the usual relations",
         )
-    inherits = bool(verbs) and listed is None and not has_patterns
+    inherits = bool(verbs or events) and listed is None and not has_patterns
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
     return LexicalUnit(
@@ -99,6 +104,8 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
         conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
         asks=reader.texts(entries.get("asks"), f"{prefix}asks"),
+        holds=reader.texts(entries.get("holds"), f"{prefix}holds"),
+        events=events,
         values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
         line=line_of(node),
@@ -271,18 +278,19 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
                 "a frame with 'is_question: True': a question or a remark never acts",
             )
         )
-    if unit.conditions and not frame.is_condition:
+    is_condition = bool(unit.conditions or unit.holds or unit.events)
+    if is_condition and not frame.is_condition:
         problems.append(
             Problem(
                 "NOT_A_CONDITION",
                 unit.path,
                 unit.line,
-                "condition",
+                "condition" if unit.conditions else "holds" if unit.holds else "event",
                 f"the frame {frame.name}, which acts",
                 "a frame with 'is_condition: True': a condition is watched, and never carried out",
             )
         )
-    if frame.is_condition and not unit.conditions:
+    if frame.is_condition and not is_condition:
         problems.append(
             Problem(
                 "NOT_A_COMMAND",
@@ -290,7 +298,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
                 unit.line,
                 "verb" if unit.verbs else "question",
                 f"the frame {frame.name}, which is a condition",
-                "'condition' in its place: a condition is watched, and never carried out",
+                "'event', 'holds' or 'condition' in its place: a condition is watched, and never carried out",
             )
         )
     problems += [
@@ -303,7 +311,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
             f"a relation for every core element of {frame.name}, or a default in its file",
         )
         for element in frame.frame_elements
-        # What a question asks for, it leaves out.
-        if element.is_core and not element.default and element.name not in filled and not unit.asks
+        # What a question asks for, it leaves out; what holds fills all of its elements.
+        if element.is_core and not element.default and element.name not in filled and not (unit.asks or unit.holds)
     ]
     return problems

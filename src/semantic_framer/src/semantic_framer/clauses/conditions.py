@@ -8,7 +8,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
-from semantic_framer.clauses.event_conditions import event_condition
+from semantic_framer.clauses.event_conditions import event_condition, state_condition, unit_condition
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, compiled, heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
@@ -171,6 +171,8 @@ def _read_one(
             if reading is not None
         ]
     )
+    if said is not None and said.forms and not somebody:
+        found += _by_trees(sentence, known, positions, said)
     if not found:
         event = None if somebody else event_condition(sentence, known, positions)
         if event is None:
@@ -179,6 +181,22 @@ def _read_one(
     # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
     best = max(found, key=lambda reading: len(reading.verb_positions))
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
+
+
+def _by_trees(sentence: Sentence, known: FramedLexicon, positions: Sequence[int], said: _Words) -> List[Reading]:
+    """Return the readings of a state and of what happens, with "somebody" for "nobody"."""
+    words = frozenset(word.index for word in said.words)
+    found = [read(sentence, known, positions, words) for read in (state_condition, unit_condition)]
+    return [_renamed(reading, said.renamed) for reading in found if reading is not None]
+
+
+def _renamed(reading: Reading, renamed: Mapping[int, str]) -> Reading:
+    arguments = tuple(
+        replace(argument, text=new, words=new, head=new, lemma=new) if new else argument
+        for argument in reading.arguments
+        for new in [renamed.get(argument.head_position, "")]
+    )
+    return replace(reading, arguments=arguments)
 
 
 def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> Optional[ConditionPart]:

@@ -7,19 +7,92 @@ from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.deed_clauses import DeedClause
+from semantic_framer.clauses.state_clauses import WHETHER, state_clause
+from semantic_framer.filling.matching import match_units
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, Form, features_of
 from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.units.word_patterns import argument_of
 from semantic_framer.values.dialogue import PRONOUNS
 from semantic_framer.values.outcome import Policy
-from semantic_framer.values.reading import Reading
+from semantic_framer.values.reading import Reading, rank
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.frame import Result
 from typed_arguments import Source, TypedArgument
+from utterance_passes.phrases.clauses import clause_of
+from utterance_passes.phrases.verb_matching import match_verbs
 
 #: The frame that says that the robot did something.
 CONDITION_OF_DEED = "condition_of_deed"
+_AFTER = "after"
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
+
+
+def clause_top(sentence: Sentence, positions: Sequence[int]) -> int:
+    """Return the position of the verb or predicate of some words; 0 if they are no clause."""
+    words = frozenset(positions)
+    tops = [index for index in positions if sentence.word(index).head not in words]
+    tops = [index for index in tops if sentence.word(index).upos != "PUNCT"]
+    return tops[0] if len(tops) == 1 else 0
+
+
+def state_condition(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], words: FrozenSet[int]
+) -> Optional[Reading]:
+    """Read some words as a state: "Anna is in the kitchen", "the lamp is on"; None if they are none.
+
+    Args:
+        sentence: the sentence
+        known: lexical units and frames
+        positions: of the words
+        words: of these, without what only denies
+    """
+    top = clause_top(sentence, positions)
+    features = features_of(sentence.tree, top) if top else None
+    if features is None or features.form is not Form.PLAIN:
+        return None
+    clause = state_clause(sentence, features, words)
+    if clause is None or clause.asked != WHETHER or not clause.elements:
+        return None
+    for unit in known.lexicon.asking_units(clause.frame):
+        frame = known.frames.get(unit.frame_name)
+        names = [unit.values.get(name, name) for name in clause.elements]
+        if frame is None or not frame.is_condition or any(frame.element(name) is None for name in names):
+            continue
+        filled = {unit.values.get(name, name): where for name, where in clause.elements.items()}
+        arguments = tuple(
+            argument_of(sentence, element.name, filled[element.name])
+            for element in frame.frame_elements
+            if element.name in filled
+        )
+        own = tuple(sorted(words.difference(*clause.elements.values())))
+        if all(element.name in filled for element in frame.frame_elements if element.is_core):
+            return Reading(unit, clause.frame, own, arguments, (), (), 1.0)
+    return None
+
+
+def unit_condition(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], words: FrozenSet[int]
+) -> Optional[Reading]:
+    """Read some words by the units of what happens: "Anna comes in", "the door opens"; None if none fits.
+
+    Args: as of :func:`state_condition`
+    """
+    top = clause_top(sentence, positions)
+    if not top or sentence.word(top).upos not in ("VERB", "AUX", "NOUN"):
+        return None
+    events = replace(known, lexicon=known.lexicon.events)
+    clause = clause_of(sentence.tree, top, words, False)
+    found = [
+        reading
+        for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
+        if not (reading.left_over or reading.missing or reading.wrong_types)
+    ]
+    best = min(found, key=rank, default=None)
+    if best is None:
+        return None
+    said = tuple(TypedArgument(name, text, Source.INFERRED) for name, text in best.unit.values.items())
+    return replace(best, arguments=(*best.arguments, *said))
 
 
 class EventCondition(NamedTuple):
@@ -38,18 +111,21 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
         positions: of the words, in order
     """
     words = frozenset(positions)
-    tops = [index for index in positions if sentence.word(index).head not in words]
-    tops = [index for index in tops if sentence.word(index).upos == "VERB"]
-    if len(tops) != 1 or any(child.deprel == "cop" for child in sentence.children(tops[0])):
+    top = clause_top(sentence, positions)
+    if not top or sentence.word(top).upos != "VERB":
         return None
-    features = features_of(sentence.tree, tops[0])
+    if any(child.deprel == "cop" for child in sentence.children(top)):
+        return None
+    features = features_of(sentence.tree, top)
     if features.form is not Form.PLAIN or features.modal or not (features.agent or features.is_passive):
         return None
-    clause = DeedClause(Case(sentence, (), (), known, Policy()), tops[0], features, words)
+    clause = DeedClause(Case(sentence, (), (), known, Policy()), top, features, words)
     deed = clause.deed()
     if deed is None or deed.missing or clause.said_when or not words <= _words_read(sentence, clause, deed):
         return None
     if clause.is_of_robot:
+        if any(child.form.lower() == _AFTER for child in sentence.children(top)):
+            return None  # "After you have closed the door, go": it shall close it first.
         return _of_robot(known, clause, deed) if features.aspect in _DONE else None
     result = known.frames[deed.unit.frame_name].results_in
     if result is None or features.aspect not in (Aspect.PRESENT, *_DONE) or result.frame not in known.frames:

@@ -109,7 +109,9 @@ class _Clause:
         for reading in (self._of_be, self._of_verb):
             found = reading()
             if found is not None:
-                return found if self._has_all_words(found) else None
+                # "How tall is the ball" asks for what no element of a state holds.
+                is_lost = bool(self._features.asked) and found.asked == WHETHER
+                return found if not is_lost and self._has_all_words(found) else None
         return None
 
     def _of_phrase(self) -> Optional[StateClause]:
@@ -365,7 +367,8 @@ class _Clause:
 
     def _in_state(self, subject: Word) -> Optional[StateClause]:
         form, top = subject.form.lower(), self._top
-        if form in _NO_THEMES:
+        # "It is raining" says nothing of a thing.
+        if form in _NO_THEMES or (form == "it" and top.xpos == "VBG"):
             return None
         state = top
         if self._features.is_passive and top.form.lower() == "left" and len(self._sentence.subtree(top.index)) > 2:

@@ -62,16 +62,27 @@ def asking_features(case: Case) -> Optional[ClauseFeatures]:
 
 
 def embedded_features(case: Case) -> Optional[ClauseFeatures]:
-    """Return the features of a question inside a sentence that only asks it: "I want to know whether *you left*",
-    "tell me when *you left*"; None for other sentences."""
-    sentence = case.sentence
-    words = words_of_question(sentence)
+    """Return the features of a question behind words that only ask for it: "I want to know whether *you left*"; None
+    for other sentences."""
+    words = words_of_question(case.sentence)
     length = length_of_opening([spelling(word) for word in words])
-    if 0 < length < len(words):
-        return _as_question(sentence, top_among(sentence, words[length:]))
-    for word in sentence.tree.words if is_told_to_speaker(sentence, case.known) else ():
+    if not 0 < length < len(words):
+        return None
+    return _as_question(case.sentence, top_among(case.sentence, words[length:]))
+
+
+def told_features(case: Case) -> Optional[ClauseFeatures]:
+    """Return the features of a question that the speaker wants to be told: "tell me when *you left*"; None for others.
+
+    "Tell me when it is off" may wait for that; only what is over is certainly asked.
+    """
+    sentence = case.sentence
+    if not is_told_to_speaker(sentence, case.known):
+        return None
+    (top,) = sentence.children(0)
+    for word in sentence.children(top.index):
         begin = sentence.word(min(sentence.subtree(word.index))).form.lower()
-        if word.deprel in ("ccomp", "advcl") and begin in _WHETHER | _QUESTION_WORDS:
+        if word.index > top.index and word.deprel in ("ccomp", "advcl") and begin in _WHETHER | _QUESTION_WORDS:
             return _as_question(sentence, word.index)
     return None
 

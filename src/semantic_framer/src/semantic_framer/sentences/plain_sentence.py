@@ -15,7 +15,7 @@ from semantic_framer.judging.sentence_verdicts import words_outside
 from semantic_framer.judging.verdicts import Case, case_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
-from semantic_framer.queries.deed_questions import asking_features, deed_question, embedded_features
+from semantic_framer.queries.deed_questions import asking_features, deed_question, embedded_features, told_features
 from semantic_framer.queries.questions import question_readings
 from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
@@ -105,22 +105,23 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
 
 def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     """Return the readings of what a sentence asks; none if it asks nothing that can be answered."""
-    inside = embedded_features(case)
-    if inside is not None:
-        found = state_question(case, inside) or deed_question(case, inside, context)
-        if found:
-            return found
+    inside, told = embedded_features(case), told_features(case)
+    found = state_question(case, inside) or deed_question(case, inside, context) if inside is not None else ()
+    found = found or (deed_question(case, told, context) if told is not None else ())
+    if found:
+        return found
     whole = asking_features(case)
     found = question_readings(case)
-    if found or whole is None:
+    # A pattern that holds each word knows best: "how many orders do you have".
+    if whole is None or (found and not found[0].arguments):
         return found
-    return state_question(case, whole) or deed_question(case, whole, context)
+    return state_question(case, whole) or found or deed_question(case, whole, context)
 
 
 def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:
     """Understand a sentence as the question about a deed that it asks: "tell me whether you closed the door"."""
     case = case_of(sentence, find_clauses(sentence.tree, now.known), now.known, now.policy)
-    features = embedded_features(case)
+    features = told_features(case)
     asked = deed_question(case, features, context) if features is not None else ()
     return _answered(asked, sentence, context, now) if asked else None
 

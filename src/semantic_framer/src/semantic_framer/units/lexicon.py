@@ -2,6 +2,7 @@
 
 import difflib
 from collections import defaultdict
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Collection, Dict, FrozenSet, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
@@ -19,6 +20,7 @@ class _Indices(NamedTuple):
     remarks: PatternIndex
     conditions: PatternIndex
     asks: Dict[str, List[LexicalUnit]]
+    events: "Lexicon"
 
 
 class Lexicon:
@@ -85,7 +87,7 @@ class Lexicon:
 
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         for unit in units:
-            if unit.questions or unit.remarks or unit.conditions or unit.asks:
+            if unit.questions or unit.remarks or unit.conditions or unit.asks or unit.holds or unit.events:
                 self._with_patterns[unit.path].append(unit)
                 self._indices = None
             for verb in dict.fromkeys(unit.verbs):
@@ -137,21 +139,27 @@ class Lexicon:
         return self._indexed().conditions.may_fit(words)
 
     def asking_units(self, asked: str) -> Sequence[LexicalUnit]:
-        """Return the units that ask for an element of a frame of state, "being_located.location"."""
+        """Return the units that ask for an element of a frame of state, "being_located.location", or are one."""
         return self._indexed().asks.get(asked, ())
+
+    @property
+    def events(self) -> "Lexicon":
+        """The units of what happens, as those of verbs; they are conditions, and nobody is commanded to do them."""
+        return self._indexed().events
 
     def _indexed(self) -> _Indices:
         if self._indices is None:
             units = [unit for units in self._with_patterns.values() for unit in units]
             asks: Dict[str, List[LexicalUnit]] = defaultdict(list)
             for unit in units:
-                for asked in unit.asks:
+                for asked in (*unit.asks, *unit.holds):
                     asks[asked].append(unit)
             self._indices = _Indices(
                 PatternIndex(units, lambda unit: unit.questions),
                 PatternIndex(units, lambda unit: unit.remarks),
                 PatternIndex(units, lambda unit: unit.conditions),
                 asks,
+                Lexicon.of_units(replace(unit, verbs=unit.events, events=()) for unit in units if unit.events),
             )
         return self._indices
 
