@@ -8,7 +8,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
-from semantic_framer.clauses.event_conditions import event_condition, state_condition, unit_condition
+from semantic_framer.clauses.event_conditions import clause_top, event_condition, state_condition, unit_condition
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, compiled, heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
@@ -29,6 +29,7 @@ _NOT = word_class("not")
 _NOBODY = word_class("indefinite_persons_denied")
 _NOTHING = word_class("indefinite_things_denied")
 _ANYBODY = word_class("indefinite_persons_asked")
+_WHO = word_class("relative_persons")
 _PADDING = word_class("condition_padding")
 _STATES = word_class("state_particles")
 _OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
@@ -113,7 +114,14 @@ def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int
     if not positions or not is_auxiliary(sentence.word(positions[0])):
         return read_condition(sentence, known, positions)
     auxiliary, *rest = positions
-    for behind in range(1, len(rest) + 1):
+    top = clause_top(sentence, positions)
+    children = sentence.children(top) if top else ()
+    subjects = [child.index for child in children if child.deprel == "expl"]
+    subjects = subjects or [child.index for child in children if child.deprel.startswith("nsubj")]
+    subject_words = frozenset().union(*(sentence.subtree(index) for index in subjects))
+    # The words up to the end of the subject, first as the tree has it.
+    ends = [len([index for index in rest if index in subject_words]), *range(1, len(rest) + 1)]
+    for behind in ends:
         subject, predicate = rest[:behind], rest[behind:]
         condition = read_condition(sentence, known, [*subject, auxiliary, *predicate])
         if condition is not None:
@@ -171,8 +179,8 @@ def _read_one(
             if reading is not None
         ]
     )
-    if said is not None and said.forms and not somebody:
-        found += _by_trees(sentence, known, positions, said)
+    if said is not None and said.forms:
+        found += _by_trees(sentence, known, positions, said, somebody)
     if not found:
         event = None if somebody else event_condition(sentence, known, positions)
         if event is None:
@@ -183,11 +191,22 @@ def _read_one(
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
 
 
-def _by_trees(sentence: Sentence, known: FramedLexicon, positions: Sequence[int], said: _Words) -> List[Reading]:
+def _by_trees(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], said: _Words, somebody: int
+) -> List[Reading]:
     """Return the readings of a state and of what happens, with "somebody" for "nobody"."""
-    words = frozenset(word.index for word in said.words)
+    words, renamed = frozenset(word.index for word in said.words), dict(said.renamed)
+    if sentence.unquoted is not None and words & sentence.tree.quoted:
+        # "Tell me if *the door opens*": what is said has no structure, and had one.
+        sentence = sentence.unquoted
+    for clause in sentence.children(somebody) if somebody in words else ():
+        who = next((child for child in sentence.children(clause.index) if child.form.lower() in _WHO), None)
+        if clause.deprel == "acl:relcl" and who is not None:
+            # "Everybody *who comes in*."
+            words, positions = words - {somebody} | {who.index}, sorted(sentence.subtree(clause.index))
+            renamed[who.index] = "somebody"
     found = [read(sentence, known, positions, words) for read in (state_condition, unit_condition)]
-    return [_renamed(reading, said.renamed) for reading in found if reading is not None]
+    return [_renamed(reading, renamed) for reading in found if reading is not None]
 
 
 def _renamed(reading: Reading, renamed: Mapping[int, str]) -> Reading:

@@ -21,10 +21,12 @@ from semantic_frames.frame import Result
 from typed_arguments import Source, TypedArgument
 from utterance_passes.phrases.clauses import clause_of
 from utterance_passes.phrases.verb_matching import match_verbs
+from word_classes import word_class
 
 #: The frame that says that the robot did something.
 CONDITION_OF_DEED = "condition_of_deed"
 _AFTER = "after"
+_CLOSED = word_class("words_for_closed")
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
 
 
@@ -48,10 +50,14 @@ def state_condition(
         words: of these, without what only denies
     """
     top = clause_top(sentence, positions)
-    features = features_of(sentence.tree, top) if top else None
-    if features is None or features.form is not Form.PLAIN:
+    if not top:
         return None
-    clause = state_clause(sentence, features, words)
+    features = features_of(sentence.tree, top)
+    if features.asked in words:
+        return None
+    # "When" joins the clause, and asks nothing.
+    features = replace(features, asked=0)
+    clause = state_clause(sentence, features, words, is_asked=False)
     if clause is None or clause.asked != WHETHER or not clause.elements:
         return None
     for unit in known.lexicon.asking_units(clause.frame):
@@ -61,7 +67,7 @@ def state_condition(
             continue
         filled = {unit.values.get(name, name): where for name, where in clause.elements.items()}
         arguments = tuple(
-            argument_of(sentence, element.name, filled[element.name])
+            _usual(argument_of(sentence, element.name, filled[element.name]))
             for element in frame.frame_elements
             if element.name in filled
         )
@@ -69,6 +75,12 @@ def state_condition(
         if all(element.name in filled for element in frame.frame_elements if element.is_core):
             return Reading(unit, clause.frame, own, arguments, (), (), 1.0)
     return None
+
+
+def _usual(argument: TypedArgument) -> TypedArgument:
+    """Return a state in its usual word: "closed" for "shut"."""
+    usual = "closed" if argument.text in _CLOSED else "open" if argument.text == "opened" else ""
+    return replace(argument, text=usual) if usual else argument
 
 
 def unit_condition(
@@ -86,13 +98,14 @@ def unit_condition(
     found = [
         reading
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
-        if not (reading.left_over or reading.missing or reading.wrong_types)
+        if not (reading.left_over or reading.wrong_types)
+        if all(element.name in reading.unit.values for element in reading.missing)
     ]
     best = min(found, key=rank, default=None)
     if best is None:
         return None
     said = tuple(TypedArgument(name, text, Source.INFERRED) for name, text in best.unit.values.items())
-    return replace(best, arguments=(*best.arguments, *said))
+    return replace(best, arguments=(*best.arguments, *said), missing=())
 
 
 class EventCondition(NamedTuple):

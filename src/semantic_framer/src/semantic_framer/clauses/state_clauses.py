@@ -13,14 +13,13 @@ from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
 #: The frames of states.
-LOCATED, IN_STATE, EXISTING = "being_located", "being_in_state", "existing"
+LOCATED, PRESENT, IN_STATE, EXISTING = "being_located", "being_present", "being_in_state", "existing"
 HAVING, HOLDING, BELONGING = "having", "holding", "belonging"
 COLOURED, FOREMOST, PERCEIVED = "being_coloured", "being_foremost", "being_perceived"
 #: What may be asked for beside an element.
 WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
 _HEARERS = word_class("hearers")
 _US = word_class("hearers") | word_class("speaker_subjects")
-_NO_THEMES = _US | word_class("demonstrative_pronouns")
 _PERSON_NOUNS = word_class("general_person_nouns")
 _THINGS_ASKED = frozenset(["anything", "something"])
 _WHO = frozenset(["who", "whom"])
@@ -28,7 +27,7 @@ _WHICH = frozenset(["which", "what"])
 _WHERE = frozenset(["where", "whereabouts"])
 _PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
 _PLACE_NOUNS = frozenset(["room", "place"])
-_HERE = frozenset(["here", "there", "home", "upstairs", "downstairs", "outside", "inside", "nearby"])
+_HERE = frozenset("here there home upstairs downstairs outside inside nearby around present back close near".split())
 _STATES = word_class("state_particles")
 _POSTURES = word_class("posture_verbs")
 _KEPT = frozenset(["turn", "switch", "leave", "keep", "set"])
@@ -76,20 +75,24 @@ class StateClause:
     elements: Mapping[str, Positions]
 
 
-def state_clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int]) -> Optional[StateClause]:
+def state_clause(
+    sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int], *, is_asked: bool = True
+) -> Optional[StateClause]:
     """Return what a clause says of a state; None for other clauses, and where a word is left over.
 
     Args:
         sentence: the sentence
         features: of the clause
         words: positions of the words that count
+        is_asked: whether somebody asks it; a condition also says where "you" are, and that "somebody" is there
     """
-    return _Clause(sentence, features, words).read()
+    return _Clause(sentence, features, words, is_asked).read()
 
 
 class _Clause:
-    def __init__(self, sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int]) -> None:
+    def __init__(self, sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int], is_asked: bool) -> None:
         self._sentence = sentence
+        self._is_asked = is_asked
         self._words = words
         self._features = features
         self._top = sentence.word(features.top)
@@ -98,6 +101,8 @@ class _Clause:
         self._asking: FrozenSet[int] = frozenset()
         self._subject = next((child for child in self._children if child.deprel.startswith("nsubj")), None)
         self._lemma = self._top.lemma.lower()
+        # Only a question about the robot or its speaker is no question about a thing.
+        self._no_themes = word_class("demonstrative_pronouns") | _US if is_asked else frozenset(["this", "that"])
         self._is_predicate = any(child.deprel == "cop" for child in self._children)
 
     def read(self) -> Optional[StateClause]:
@@ -139,18 +144,20 @@ class _Clause:
             if child.deprel in ("det", "amod", "advmod", "case")
             if self._features.asked in self._sentence.subtree(child.index) and child.index != word.index
         )
-        words = sorted(inside - asking)
+        words = sorted((inside - asking) & self._words)
         return tuple(index for index in words if self._sentence.word(index).upos != "PUNCT")
 
     def _place_of(self, word: Word) -> Optional[Word]:
         """Return the first phrase of place that a word governs."""
-        return next((child for child in self._sentence.children(word.index) if self._is_place(child)), None)
+        children = self._sentence.children(word.index)
+        return next((child for child in children if child.index in self._words and self._is_place(child)), None)
 
     def _is_place(self, word: Word) -> bool:
         cases = [child.form.lower() for child in self._sentence.children(word.index) if child.deprel == "case"]
         if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
             return False
-        if word.form.lower() in _LEFT or any(word.index in time for time in self._sentence.tree.times):
+        is_left = word.form.lower() in _LEFT and word.index != self._top.index
+        if is_left or any(word.index in time for time in self._sentence.tree.times):
             return False
         if self._sentence.types.likeliest(word.index) == "Time":
             return False  # "at the moment"
@@ -193,7 +200,8 @@ class _Clause:
 
     def _with_alternative(self, words: Dict[str, Positions], name: str, word: Word) -> Dict[str, Positions]:
         """Return an element, and the alternative to it: "on the table *or in the sink*"."""
-        other = next((child for child in self._sentence.children(word.index) if child.deprel == "conj"), None)
+        children = self._sentence.children(word.index)
+        other = next((child for child in children if child.deprel == "conj" and child.index in self._words), None)
         outside = frozenset() if other is None else self._sentence.subtree(other.index)
         found = {**words, name: self._phrase(word, outside | self._own(word))}
         if other is not None and other.form.lower() != "not":
@@ -279,7 +287,7 @@ class _Clause:
             outside = self._own(top) | {behind.index}
             elements = {**self._theme(subject), "state": (behind.index,), "location": self._phrase(top, outside)}
             return StateClause(IN_STATE, self._asked_of(subject) or WHETHER, elements)
-        if self._is_place(top) and top.upos != "ADJ":
+        if self._is_place(top) and (top.upos != "ADJ" or not self._is_asked):
             if self._asked_of(top):
                 return None if self._asked_of(top) != THING else self._in_which_place(subject)
             return self._located(subject, top)
@@ -295,7 +303,7 @@ class _Clause:
     def _where(self, subject: Word) -> Optional[StateClause]:
         if subject.form.lower() in _US:
             return StateClause(LOCATED, "own_place", {})
-        if subject.form.lower() in _NO_THEMES:
+        if subject.form.lower() in self._no_themes:
             return None
         return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
 
@@ -338,18 +346,20 @@ class _Clause:
 
     def _located(self, subject: Word, place: Word) -> Optional[StateClause]:
         form = subject.form.lower()
-        if form in _NO_THEMES:
+        if form in self._no_themes:
             return None
         if place.lemma.lower() in _HANDS:
             return self._in_hand(subject, place)
+        if not self._is_asked and place.form.lower() in _HERE - {"there"}:
+            return StateClause(PRESENT, WHETHER, {"theme": self._phrase(subject)})
         outside = self._sentence.subtree(place.index) if place.index != self._top.index else frozenset()
         words = self._with_alternative({}, "location", place)
         asked = self._asked_of(subject)
         if asked == PERSON or (asked == THING and subject.lemma.lower() in _PERSON_NOUNS):
             return StateClause(LOCATED, PERSON, words)
-        if not asked and form in _PERSON_NOUNS:
+        if not asked and form in _PERSON_NOUNS and self._is_asked:
             return StateClause(LOCATED, PERSON, words)
-        if not asked and form in _THINGS_ASKED:
+        if not asked and form in _THINGS_ASKED and self._is_asked:
             return StateClause(LOCATED, THING, words)
         theme = self._theme(subject, outside | self._left(subject))
         theme.pop("location", None)
@@ -368,10 +378,10 @@ class _Clause:
     def _in_state(self, subject: Word) -> Optional[StateClause]:
         form, top = subject.form.lower(), self._top
         # "It is raining" says nothing of a thing.
-        if form in _NO_THEMES or (form == "it" and top.xpos == "VBG"):
+        if form in self._no_themes or (form == "it" and top.xpos == "VBG"):
             return None
         state = top
-        if self._features.is_passive and top.form.lower() == "left" and len(self._sentence.subtree(top.index)) > 2:
+        if top.form.lower() == "left" and top.deprel != "advmod":
             if not any(child.form.lower() in _STATES or child.upos == "ADJ" for child in self._children):
                 asked = self._asked_of(subject)
                 return StateClause(EXISTING, asked or WHETHER, self._theme(subject))
@@ -405,7 +415,7 @@ class _Clause:
             return self._of_holding(subject)
         if self._lemma in ("own", "belong"):
             return self._of_belonging(subject)
-        if self._lemma in _SEEN | _KNOWN and subject.form.lower() in _US:
+        if self._is_asked and self._lemma in _SEEN | _KNOWN and subject.form.lower() in _US:
             return self._of_perceiving()
         return None
 
@@ -414,7 +424,7 @@ class _Clause:
         thing = self._object()
         if thing is not None and subject.form.lower() in _US and self._lemma in _FOUND | _SEEN:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
-        if thing is None and self._lemma in _GONE and subject.form.lower() not in _NO_THEMES:
+        if thing is None and self._lemma in _GONE and subject.form.lower() not in self._no_themes:
             return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
         return None
 
@@ -445,13 +455,13 @@ class _Clause:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         if asked:
             return None if is_ours else StateClause(HAVING, "possession", {"owner": self._phrase(subject)})
-        if is_ours:
+        if is_ours and self._is_asked:
             return StateClause(EXISTING, WHETHER, {"theme": self._phrase(thing, self._left(thing))})
         return StateClause(HOLDING, WHETHER, {"agent": self._phrase(subject), "theme": self._phrase(thing)})
 
     def _of_holding(self, subject: Word) -> Optional[StateClause]:
         thing = self._object()
-        if thing is None or subject.form.lower() in _US - _HEARERS:
+        if thing is None or (subject.form.lower() in _US - _HEARERS and self._is_asked):
             return None
         if self._asked_of(subject) == PERSON:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})

@@ -79,8 +79,9 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
         subject is not None and subject.deprel == "nsubj:pass"
     )
     asked = _question_word(tree, top)
-    # "Is there a mug": the verb itself stands before its subject.
-    verbs = [*helping, tree.word(top)] if tree.word(top).lemma.lower() == "be" else helping
+    # "Is there a mug": the verb itself stands before its subject; in "there is a mug", "there" stands before it.
+    is_said = any(child.deprel == "expl" and child.index < top for child in children)
+    verbs = [*helping, tree.word(top)] if tree.word(top).lemma.lower() == "be" and not is_said else helping
     is_inverted = any(subject is not None and child.index < subject.index for child in verbs)
     is_asked = asked is not None and (
         is_inverted or (subject is not None and asked.index in tree.subtree(subject.index))

@@ -66,6 +66,8 @@ def _is_slip(words: Sequence[Word], head: Word) -> bool:
     ("mee"), or a noun that is begun twice ("the kit kitchen")."""
     form = head.form
     is_bare = all(word.upos in ("ADJ", "ADV") for word in words if word is not head)
+    # "Until i return."
+    is_bare = is_bare and not (head.upos == "PRON" and head.deprel.startswith("nsubj"))
     if is_bare and form.islower() and form.isalpha() and form not in _OBJECT_PRONOUNS:
         if len(form) == 1 or (_may_be_pronoun(form) and not parts_of_speech(form)):
             return True
