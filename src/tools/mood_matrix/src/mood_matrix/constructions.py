@@ -259,6 +259,14 @@ def _asked(case: _Case, text: str, asks: str, aspect: str = "done", **features: 
     return sentence(text, "?"), expected
 
 
+def _with_loose(made: _Made, word: str) -> _Made:
+    """Let an element of the deed have a word of the construction: "today"."""
+    if made is None:
+        return None
+    text, expected = made
+    return text, replace(expected, deed=replace(expected.deed, loose=expected.deed.loose | {word}))
+
+
 def _whether_done(case: _Case) -> _Made:
     return _asked(case, f"did you {case.predicate.base()}", "whether")
 
@@ -286,13 +294,15 @@ def _why_not(case: _Case) -> _Made:
 
 
 def _ever_done(case: _Case) -> _Made:
-    return _asked(case, f"have you ever {case.predicate.participle()}", "whether", "ever_done")
+    made = _asked(case, f"have you ever {case.predicate.participle()}", "whether", "ever_done")
+    return _with_loose(made, "ever")
 
 
 def _how_often(case: _Case) -> _Made:
     if case.unit.embeds:
         return None
-    return _asked(case, f"how often have you {case.predicate.participle()} today", "how_often")
+    made = _asked(case, f"how often have you {case.predicate.participle()} today", "how_often")
+    return _with_loose(made, "today")
 
 
 def _running(case: _Case) -> _Made:
@@ -300,7 +310,7 @@ def _running(case: _Case) -> _Made:
 
 
 def _able(case: _Case) -> _Made:
-    """"Can you close doors?"; "Are you able to ..." where "Can you ..." would be a request."""
+    """ "Can you close doors?"; "Are you able to ..." where "Can you ..." would be a request."""
     name, thing = case.unit.object_element, case.predicate.object
     said_to_speaker = {"me", "us"} & set(case.predicate.base().split())
     if not name or said_to_speaker or NounPhrase(thing).is_pronoun or case.predicate.receiver:
@@ -410,7 +420,7 @@ def _relative(case: _Case) -> _Made:
 
 @dataclass(frozen=True)
 class Row:
-    """A construction: its number, what it is, and what makes it of a unit; None where it makes no English or no sense."""
+    """A construction: its number, what it is, and what makes it of a unit; that is None where it is no good English."""
 
     number: int
     title: str

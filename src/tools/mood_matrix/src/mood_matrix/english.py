@@ -113,7 +113,8 @@ class NounPhrase:
     @property
     def is_pronoun(self) -> bool:
         """Whether it is a pronoun."""
-        return self.text.lower() in words()["personal_pronouns"] or self.text.lower() in words()["pointing"]
+        names = ("personal_pronouns", "pointing", "pointing_alone")
+        return any(self.text.lower() in words()[name] for name in names)
 
     @property
     def is_name(self) -> bool:
@@ -277,5 +278,3 @@ def _joined(*parts: str) -> str:
 def sentence(text: str, mark: str = ".") -> str:
     """Return a text with a capital at its beginning and a mark at its end."""
     return _PHRASE_END.sub("", text[:1].upper() + text[1:]) + mark
-
-

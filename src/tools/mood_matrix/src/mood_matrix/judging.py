@@ -1,7 +1,7 @@
 """Compares what the offline pipeline answers with what is right.
 
-Everything that depends on how the framer writes a meaning down stands here: names of frames of questions, their elements,
-and codes of replies.
+Everything that depends on how the framer writes a meaning down stands here: names of frames of questions, their
+elements, and codes of replies.
 """
 
 from dataclasses import dataclass

@@ -1,13 +1,13 @@
 """``rfn score mood``: how many sentences of the mood matrix get the right answer, by row and by domain.
 
-The rows 4, 9, 11, 13, 16, 19, 21 and 24 are for scoring, and frozen: nobody looks at their sentences while writing rules of
-understanding. Their score is printed; their failing sentences are not, unless ``--open-frozen`` is given, which is for whoever
-checks that their English and their answers are right.
+The rows 4, 9, 11, 13, 16, 19, 21 and 24 are for scoring, and frozen: nobody looks at their sentences while writing
+rules of understanding. Their score is printed; their failing sentences are not, unless ``--open-frozen`` is given. That
+is for whoever checks that their English and their answers are right.
 """
 
 import argparse
+import hashlib
 import json
-import random
 import sys
 from collections import Counter
 from pathlib import Path
@@ -54,11 +54,18 @@ def matrix(folder: Path, *, rows: Iterable[int] = (), domains: Iterable[str] = (
 
 
 def sample_of(sentences: Sequence[Sentence], count: int, seed: int) -> Tuple[Sentence, ...]:
-    """Draw sentences, the same for the same seed; in their order."""
-    if not count or count >= len(sentences):
+    """Draw sentences, in their order. With the same seed nearly the same ones are drawn when a unit comes or goes.
+
+    Args:
+        sentences: of the matrix
+        count: number of sentences; 0 for all
+        seed: of the choice
+    """
+    if not count:
         return tuple(sentences)
-    chosen = random.Random(seed).sample(range(len(sentences)), count)
-    return tuple(sentences[place] for place in sorted(chosen))
+    drawn = sorted(sentences, key=lambda one: hashlib.sha256(f"{seed} {one.text}".encode()).digest())[:count]
+    chosen = frozenset(one.text for one in drawn)
+    return tuple(one for one in sentences if one.text in chosen)
 
 
 def run_mood(arguments: argparse.Namespace, pipeline: Pipeline, folder: Path) -> int:
