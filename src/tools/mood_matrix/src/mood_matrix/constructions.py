@@ -86,8 +86,9 @@ class Expected:
         asks: what is asked: "whether", "when", "why", "how_often", "who", or the name of an element
         embedded_in: what the clause stands under: "assurance", "when", "telling" ...
         then: what else is to be done
-        theme: the object, as a thing that is in a state
-        state: words, any of which says the state that results
+        theme: noun of the thing that is described
+        things: what stands in a relation, or is in a state, after the deed
+        states: words, any of which says the state; none for a relation
         said: the predicate as it stands after "why did you not": "close the door"
         watched_as: frames of the conditions that a shipped server watches for the deed of a person
     """
@@ -103,7 +104,8 @@ class Expected:
     embedded_in: str = ""
     then: Optional[Deed] = None
     theme: str = ""
-    state: Tuple[str, ...] = ()
+    things: Tuple[str, ...] = ()
+    states: Tuple[str, ...] = ()
     said: str = ""
     watched_as: Tuple[str, ...] = ()
 
@@ -173,16 +175,19 @@ class _Case:
 
     @property
     def states(self) -> Tuple[str, ...]:
-        """Words for the state of the object after the deed."""
-        found = [str(self.unit.results_in.get("state", "")), participle_of(self.predicate.verb)]
+        """Words for the state of the object after the deed; none where it is in a relation to something."""
+        if self.unit.result and "state" not in self.unit.result:
+            return ()
+        found = [self.unit.result.get("state", ""), participle_of(self.predicate.verb)]
         found += [*self.predicate.particle.split(), *self.predicate.rest.split()[-1:]]
         found += [self.served.states.get(word, "") for word in found]
         return tuple(dict.fromkeys(word for word in found if word))
 
     @property
-    def has_result(self) -> bool:
-        """Whether the frame file names a result of the element that the object fills."""
-        return bool(self.unit.results_in) and self.unit.results_in.get("theme") in self.unit.elements
+    def things(self) -> Tuple[str, ...]:
+        """What stands in a relation, or is in a state, after the deed."""
+        named = tuple(text for name, text in self.unit.result.items() if name != "state")
+        return named or (self.predicate.object,)
 
     @property
     def result_is_seen(self) -> bool:
@@ -190,7 +195,7 @@ class _Case:
         said = self.predicate.passive(participle_of(self.predicate.verb)).split()
         # "Closed", "switched on": one word, or the last of two.
         last = set(said[-1:] if len(said) < 3 else ())
-        return self.has_result or bool(last & set(self.served.states))
+        return bool(self.unit.result) or bool(last & set(self.served.states))
 
 
 def _consequence(unit: Unit) -> Tuple[str, Deed]:
@@ -331,7 +336,7 @@ def _who(case: _Case) -> _Made:
 
 
 def _when_somebody(case: _Case) -> _Made:
-    is_noticed = case.unit.frame in case.served.events or case.has_result
+    is_noticed = case.unit.frame in case.served.events or bool(case.unit.result)
     text = f"when {case.person} {case.predicate.said_of('of_her').third()}, {case.hello}"
     return sentence(text), Expected(
         case.by_person,
@@ -340,8 +345,8 @@ def _when_somebody(case: _Case) -> _Made:
         form="subordinate",
         embedded_in="when",
         then=case.then,
-        theme=case.predicate.object,
-        state=case.states,
+        things=case.things,
+        states=case.states,
         watched_as=tuple(case.served.events.get(case.unit.frame, ())),
     )
 
@@ -376,8 +381,8 @@ def _until_in_state(case: _Case) -> _Made:
         agent=NOBODY,
         form="subordinate",
         embedded_in="until",
-        theme=case.predicate.object,
-        state=case.states,
+        things=case.things,
+        states=case.states,
     )
 
 
@@ -399,12 +404,12 @@ def _report(case: _Case) -> _Made:
     text = f"{case.person} has {case.predicate.said_of('of_her').participle()}"
     return sentence(text), Expected(
         case.by_person,
-        Outcome.NOTE if case.has_result else Outcome.NOTHING_TO_NOTE,
+        Outcome.NOTE if case.unit.result else Outcome.NOTHING_TO_NOTE,
         agent=case.person,
         form="declarative",
         aspect="done",
-        theme=case.predicate.object,
-        state=case.states,
+        things=case.things,
+        states=case.states,
     )
 
 

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Mapping
+from typing import Any, List, Mapping
 
 import yaml
 
@@ -98,7 +98,7 @@ class NounPhrase:
     @property
     def core(self) -> str:
         """The phrase up to its head: "vase"."""
-        found = []
+        found: List[str] = []
         for word in self.without_determiner.split():
             if found and word in words()["prepositions"]:
                 break

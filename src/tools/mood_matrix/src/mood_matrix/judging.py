@@ -235,7 +235,8 @@ def _is_decided(expected: Expected, said: Understanding) -> bool:
     if condition.kind != CONDITION or then.kind != "DO" or not _does(_reading_of(then, said), expected.then):
         return False
     reading = _reading_of(condition, said)
-    is_negated = condition.is_negated != any(frame.is_negated for frame in _embedded(reading))
+    # The deed inside the condition may repeat its negation.
+    is_negated = condition.is_negated or any(frame.is_negated for frame in _embedded(reading))
     return is_negated and _is_event(reading, expected, is_negated=None)
 
 
@@ -344,10 +345,11 @@ def _is_watched(reading: Reading, expected: Expected) -> bool:
 
 
 def _is_state(reading: Reading, expected: Expected) -> bool:
-    """Whether a reading says that the thing is in the state that results."""
+    """Whether a reading says that things are in the state, or in the relation, that results."""
     texts = {value.text.lower() for value in reading.arguments}
-    is_it = bool(expected.theme) and expected.theme.lower() in texts
-    return reading.unit.frame_name in STATES and is_it and bool(texts & {state.lower() for state in expected.state})
+    if reading.unit.frame_name not in STATES or not all(thing and thing.lower() in texts for thing in expected.things):
+        return False
+    return not expected.states or bool(texts & {state.lower() for state in expected.states})
 
 
 def _embedded(reading: Reading) -> Tuple[EmbeddedFrame, ...]:

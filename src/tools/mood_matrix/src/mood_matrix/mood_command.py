@@ -12,6 +12,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 from typing import Callable, Dict, Iterable, List, Optional, Sequence, Tuple
+from typing import Counter as CounterOf
 
 from mood_matrix.constructions import FROZEN, ROWS, Sentence, sentences_of
 from mood_matrix.judging import Judge, Judged, Verdict
@@ -106,9 +107,9 @@ def _line(judged: Judged) -> str:
     return f"{said.row}\t{judged.verdict.value}\t{said.text}\t{wanted}\t{judged.cause}\t{judged.reply}"
 
 
-def counts_by(judged: Iterable[Judged], key: Callable[[Judged], str]) -> Dict[str, "Counter[Verdict]"]:
+def counts_by(judged: Iterable[Judged], key: Callable[[Judged], str]) -> Dict[str, CounterOf[Verdict]]:
     """Count the verdicts of each group."""
-    found: Dict[str, Counter[Verdict]] = {}
+    found: Dict[str, CounterOf[Verdict]] = {}
     for one in judged:
         found.setdefault(key(one), Counter())[one.verdict] += 1
     return found
@@ -156,7 +157,7 @@ def total_table(judged: Sequence[Judged]) -> List[str]:
 
 def cause_table(judged: Iterable[Judged], most: int = 3) -> List[str]:
     """Return the most frequent causes of failure of each row."""
-    causes: Dict[int, Counter[Tuple[str, str]]] = {}
+    causes: Dict[int, CounterOf[Tuple[str, str]]] = {}
     for one in judged:
         if one.verdict is not Verdict.RIGHT:
             causes.setdefault(one.sentence.row, Counter())[(one.verdict.value, one.cause)] += 1
@@ -171,7 +172,7 @@ def _head(name: str) -> str:
     return f"{name:<54}{'sentences':>10}{'right':>7}{'%':>7}{'asked':>7}{'refused':>9}{'answered':>10}{'acted':>7}"
 
 
-def _counts(name: str, counts: "Counter[Verdict]") -> str:
+def _counts(name: str, counts: CounterOf[Verdict]) -> str:
     total = sum(counts.values())
     right = counts[Verdict.RIGHT]
     others = (counts[Verdict.ASKED], counts[Verdict.REFUSED], counts[Verdict.ANSWERED], counts[Verdict.ACTED])

@@ -30,7 +30,8 @@ class Unit:
         defaults: texts of the elements that it does not say
         object_element: name of the element that the direct object fills; empty for none
         embeds: whether the example has a clause inside: "ask Alice to wait"
-        results_in: what the frame file says of its result: element of the theme, state
+        result: texts of what the deed results in, by element of the frame that says so; empty if the frame
+            file names no result, or the example does not say what it is said of
     """
 
     domain: str
@@ -41,7 +42,7 @@ class Unit:
     defaults: Mapping[str, str]
     object_element: str
     embeds: bool
-    results_in: Mapping[str, Any]
+    result: Mapping[str, str]
 
     @property
     def object(self) -> NounPhrase:
@@ -141,9 +142,18 @@ def _unit(domain: str, number: int, entry: Mapping[str, Any], frame: Mapping[str
             defaults={name: str(value) for name, value in filled.items() if name not in elements},
             object_element=object_element,
             embeds=_embeds(predicate, elements),
-            results_in=frame.get("results_in") or {},
+            result=_result(frame, elements),
         )
     return None
+
+
+def _result(frame: Mapping[str, Any], elements: Mapping[str, str]) -> Mapping[str, str]:
+    """Fill what a frame results in with the elements of an example; nothing if one of them is not said."""
+    own = {element["name"] for element in frame.get("frame_elements") or ()}
+    named = {name: str(value) for name, value in (frame.get("results_in") or {}).items() if name != "frame"}
+    if any(value in own and value not in elements for value in named.values()):
+        return {}
+    return {name: elements[value] if value in own else value for name, value in named.items()}
 
 
 def _examples(entry: Mapping[str, Any]) -> Iterator[Tuple[str, Mapping[str, Any]]]:

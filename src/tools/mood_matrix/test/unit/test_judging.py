@@ -40,10 +40,15 @@ def locking(pipeline: Pipeline) -> Reading:
     return pipeline.understand("Lock the door.").readings[0]
 
 
+def about(frame: str) -> Dict[int, Sentence]:
+    """Return the sentences about a deed, by row."""
+    return {one.row: one for one in matrix(DOMAINS) if one.expected.deed.frame == frame}
+
+
 @pytest.fixture(scope="module")
 def rows() -> Dict[int, Sentence]:
-    """The sentences about locking the door, by row."""
-    return {one.row: one for one in matrix(DOMAINS) if one.expected.deed.frame == "locking"}
+    """The sentences about locking the door, which results in a state."""
+    return about("locking")
 
 
 def answered(*readings: Reading, plan: PlanPart = None) -> Understanding:  # type: ignore[assignment]
@@ -128,11 +133,46 @@ def test_a_stop_is_acted_on_wrongly_where_none_was_meant(judge: Judge, rows: Dic
 
 
 def test_refusals_are_right_where_they_say_why(judge: Judge, rows: Dict[int, Sentence]) -> None:
-    assert judge.verdict(rows[6], refused("NEGATED")).verdict is Verdict.RIGHT
-    assert judge.verdict(rows[17], refused("NO_SERVER")).verdict is Verdict.RIGHT
-    assert judge.verdict(rows[23], refused("REPORT")).verdict is Verdict.RIGHT
+    unseen = about("ironing")
+    assert judge.verdict(unseen[6], refused("NEGATED")).verdict is Verdict.RIGHT
+    assert judge.verdict(unseen[17], refused("NO_SERVER")).verdict is Verdict.RIGHT
+    assert judge.verdict(unseen[23], refused("REPORT")).verdict is Verdict.RIGHT
     for row in (6, 17, 23):
-        assert judge.verdict(rows[row], refused("STAGE_ERROR")).verdict is Verdict.REFUSED
+        assert judge.verdict(unseen[row], refused("STAGE_ERROR")).verdict is Verdict.REFUSED
+    for row in (17, 20, 23):
+        assert judge.verdict(rows[row], refused("NO_SERVER")).verdict is Verdict.REFUSED
+
+
+def test_what_somebody_does_is_waited_for_and_noted_by_its_result(
+    judge: Judge, pipeline: Pipeline, locking: Reading, rows: Dict[int, Sentence]
+) -> None:
+    hello = pipeline.understand("Say hello.").readings[0]
+    waits = planned("SEQUENCE", planned("WAIT", condition()), DO_THEN)
+    alone = planned("WAIT", condition())
+    for thing, state, right in (
+        ("the door", "locked", Verdict.RIGHT),
+        ("the door", "closed", Verdict.ACTED),
+        ("the gate", "locked", Verdict.ACTED),
+    ):
+        arguments = (TypedArgument("theme", thing), TypedArgument("state", state))
+        state_said = renamed(locking, "condition_of_state", *arguments)
+        assert judge.verdict(rows[17], answered(state_said, hello, plan=waits)).verdict is right
+        is_right = right is Verdict.RIGHT
+        assert (judge.verdict(rows[20], answered(state_said, plan=alone)).verdict is Verdict.RIGHT) is is_right
+        noted = renamed(locking, "being_in_state", *arguments)
+        assert (judge.verdict(rows[23], answered(noted)).verdict is Verdict.RIGHT) is is_right
+
+
+def test_a_condition_may_be_the_deed_inside_another_frame(
+    judge: Judge, pipeline: Pipeline, locking: Reading, rows: Dict[int, Sentence]
+) -> None:
+    hello = pipeline.understand("Say hello.").readings[0]
+    plan = planned("IF", condition(is_negated=True), DO_THEN)
+    for frame, right in (("locking", Verdict.RIGHT), ("opening", Verdict.ACTED)):
+        door = (TypedArgument("container_portal", "the door"),)
+        deed = EmbeddedFrame("says", frame, mood="statement", is_negated=True, frame_elements=door)
+        done = renamed(locking, "condition_of_deed", TypedArgument("deed", "lock the door", frames=(deed,)))
+        assert judge.verdict(rows[19], answered(done, hello, plan=plan)).verdict is right
 
 
 def planned(kind: str, *children: PlanPart, **more: object) -> PlanPart:
