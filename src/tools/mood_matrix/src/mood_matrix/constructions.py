@@ -230,7 +230,7 @@ def _need(case: _Case) -> _Made:
     if not subject:
         return None
     verb = case.predicate.verb
-    if case.unit.number % 2:
+    if case.unit.is_odd:
         needs = "need" if NounPhrase(subject).is_plural else "needs"
         text = f"{subject} {needs} {case.predicate.passive(gerund_of(verb))}"
         form = "gerund"
@@ -283,7 +283,7 @@ def _which(case: _Case) -> _Made:
         return None
     thing = case.unit.object
     asked = "who" if thing.is_person else "what"
-    if asked == "what" and case.unit.number % 2 and thing.determiner and thing.is_place and not thing.is_mass:
+    if asked == "what" and case.unit.is_odd and thing.determiner and thing.is_place and not thing.is_mass:
         asked = f"which {thing.without_determiner}"
     made = _asked(case, f"{asked} did you {case.predicate.base(gap='object')}", name)
     return made and (made[0], replace(made[1], deed=case.without_object))

@@ -4,6 +4,7 @@ It reads the files itself, so that a mistake of the framer is not a mistake of t
 """
 
 import re
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import AbstractSet, Any, Dict, FrozenSet, Iterator, List, Mapping, Optional, Sequence, Tuple
@@ -24,7 +25,6 @@ class Unit:
     Attributes:
         domain: name of its domain
         frame: name of its frame
-        number: position among the units that are used, from 0
         predicate: the verb of the example with what belongs to it
         elements: texts of the elements that the example says, by name
         defaults: texts of the elements that it does not say
@@ -36,13 +36,17 @@ class Unit:
 
     domain: str
     frame: str
-    number: int
     predicate: Predicate
     elements: Mapping[str, str]
     defaults: Mapping[str, str]
     object_element: str
     embeds: bool
     result: Mapping[str, str]
+
+    @property
+    def is_odd(self) -> bool:
+        """Which of two wordings it has; it does not depend on other units."""
+        return zlib.crc32(self.predicate.base().encode()) % 2 == 1
 
     @property
     def object(self) -> NounPhrase:
@@ -111,7 +115,7 @@ def load_units(folder: Path) -> Tuple[Unit, ...]:
         for entry in _entries(path):
             if not entry.get("verb") or entry["frame_name"] not in served:
                 continue
-            unit = _unit(path.parts[-3], len(found), entry, frames[entry["frame_name"]])
+            unit = _unit(path.parts[-3], entry, frames[entry["frame_name"]])
             if unit is not None:
                 found.append(unit)
     return tuple(found)
@@ -122,7 +126,7 @@ def _entries(path: Path) -> List[Mapping[str, Any]]:
     return loaded if isinstance(loaded, list) else [loaded]
 
 
-def _unit(domain: str, number: int, entry: Mapping[str, Any], frame: Mapping[str, Any]) -> Optional[Unit]:
+def _unit(domain: str, entry: Mapping[str, Any], frame: Mapping[str, Any]) -> Optional[Unit]:
     """Return a unit with its first example in the imperative that needs no sentence before it; None without one."""
     verbs = [entry["verb"]] if isinstance(entry["verb"], str) else entry["verb"]
     for text, filled in _examples(entry):
@@ -136,7 +140,6 @@ def _unit(domain: str, number: int, entry: Mapping[str, Any], frame: Mapping[str
         return Unit(
             domain=domain,
             frame=entry["frame_name"],
-            number=number,
             predicate=predicate,
             elements=elements,
             defaults={name: str(value) for name, value in filled.items() if name not in elements},
