@@ -16,7 +16,7 @@ from semantic_framer.filling.descriptions import descriptions
 from semantic_framer.framer import Heard, hear
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.heeding import heeded_elements
-from semantic_framer.values.clause_plan import CONDITION, leaves_of
+from semantic_framer.values.clause_plan import CONDITION, PlanPart, leaves_of
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.outcome import (
     CORRECTION,
@@ -93,6 +93,7 @@ class Understanding:
         readings: the best reading of each clause that has one
         descriptions: frames that describe things, and are not steps
         candidates: of each clause, the sequences of frames in the order in which they would be tried
+        plan: how the clauses are joined; None if they are done one after the other, or nothing is done
         trace: the effect of each rule, in the run that decided
         context: what is remembered for the next sentence
         behind: the result of the command after a stop ("stop and come back"), which begins when the robot has stopped;
@@ -106,6 +107,7 @@ class Understanding:
     readings: Tuple[Reading, ...] = ()
     descriptions: Tuple[Reading, ...] = ()
     candidates: Tuple[Tuple[registrar.Candidate, ...], ...] = ()
+    plan: Optional[PlanPart] = None
     trace: Tuple[TraceLine, ...] = ()
     context: Context = Context()
     behind: Optional["Understanding"] = None
@@ -270,6 +272,7 @@ class Pipeline:
             readings=readings,
             descriptions=said,
             candidates=() if isinstance(found, registrar.Refusal) else tuple(map(registrar.candidates_of, found)),
+            plan=outcome.plan if isinstance(outcome, Understood) else None,
             trace=trace.lines if trace is not None else (),
             context=context,
         )

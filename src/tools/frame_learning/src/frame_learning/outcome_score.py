@@ -52,7 +52,7 @@ def add_outcome_arguments(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="scout: show N different utterances that are acted on (--seed)",
+        help="scout: show N different utterances that are acted on (--seed); mood: score N sentences",
     )
 
 

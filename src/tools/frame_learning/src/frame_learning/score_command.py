@@ -3,6 +3,7 @@
 import argparse
 import json
 import sys
+from pathlib import Path
 from typing import Callable, Dict, List, Mapping, Sequence, Tuple
 
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
@@ -19,6 +20,9 @@ from frame_learning.map_score import attachments, compared
 from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
+from mood_matrix.mood_command import NAME as MOOD
+from mood_matrix.mood_command import TITLE as MOOD_TITLE
+from mood_matrix.mood_command import add_mood_arguments, run_mood
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import Parameters, Pipeline
@@ -36,6 +40,8 @@ EXAMPLES = """examples:
   rfn score scout scout/transcripts
   rfn score scout scout/transcripts --sample 200 --seed 7
   rfn score gpsr grammars --count 5000 --seed 7 --failures
+  rfn score mood
+  rfn score mood --row 8 --row 22 --domain devices --failures
 
 exit status: 0 scored, 2 wrong usage
 """
@@ -45,8 +51,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn score``."""
     parser.epilog = EXAMPLES
     titles = "; ".join(f"{name}: {corpus.title}" for name, corpus in CORPORA.items())
-    parser.add_argument("corpus", choices=(*CORPORA, GPSR), help=f"{titles}; {GPSR}: {GPSR_TITLE}")
-    parser.add_argument("folder", metavar="DIR", help="its folder")
+    names = (*CORPORA, GPSR, MOOD)
+    parser.add_argument("corpus", choices=names, help=f"{titles}; {GPSR}: {GPSR_TITLE}; {MOOD}: {MOOD_TITLE}")
+    parser.add_argument("folder", nargs="?", default="", metavar="DIR", help=f"its folder; none for {MOOD}")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
     parser.add_argument(
         "--folds",
@@ -75,6 +82,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_gpsr_arguments(parser)
     add_outcome_arguments(parser)
+    add_mood_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -89,6 +97,10 @@ def run(arguments: argparse.Namespace) -> int:
     if unknown := unknown_rules(arguments.without):
         print(f"rfn score: no rule is named {', '.join(unknown)}", file=sys.stderr)
         return 2
+    if (arguments.corpus == MOOD) is bool(arguments.folder):
+        needs = "is made of the domains and has no folder" if arguments.folder else "needs its folder"
+        print(f"rfn score: {arguments.corpus} {needs}", file=sys.stderr)
+        return 2
     if arguments.maps and arguments.corpus != "huric":
         print(f"rfn score: {arguments.corpus} has no maps", file=sys.stderr)
         return 2
@@ -96,6 +108,8 @@ def run(arguments: argparse.Namespace) -> int:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
         pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY), without=frozenset(arguments.without))
+        if arguments.corpus == MOOD:
+            return run_mood(arguments, pipeline, Path((arguments.domains or [shipped_domains()])[0]))
         if corpus is None:
             return run_gpsr(arguments, pipeline)
         commands = corpus.read(arguments.folder)
