@@ -167,7 +167,10 @@ class LexicalUnit:
         asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
         holds: the frames of state that a condition may be said in: "being_located"
         events: verbs of what happens, in conditions alone, with their particles: "show up"
-        values: arguments that the words of a pattern stand for, by element: "open" for "the door opens"
+        values: arguments that the words of a pattern, or the verbs by themselves, stand for, by element: "open" for "the
+            door opens", "in the fridge" for "refrigerate"
+        class_verbs: those of the verbs that come from WordNet and not from a programmer, each with the sense of another
+            verb of the unit that it has, or is a way of: "obtain" with "get.v.01"
         path: the file that it came from
         line: where it begins, from 1
     """
@@ -184,5 +187,10 @@ class LexicalUnit:
     holds: Tuple[str, ...] = ()
     events: Tuple[str, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
+    class_verbs: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     line: int = 0
+
+    def stands_for(self, verb: str) -> str:
+        """Return the programmer's verb in whose place a verb from the lexicon stands; none for any other verb."""
+        return self.class_verbs.get(verb, "").rsplit(".", 2)[0].replace("_", " ")

@@ -22,6 +22,7 @@ from semantic_frames.roles import inherited, with_inherited
 UNIT_KEYS = (
     "frame_name",
     "verb",
+    "verb_class",
     "question",
     "remark",
     "condition",
@@ -42,6 +43,8 @@ _ATTRIBUTES = {
     "required": "is_required",
     "after_place": "after_place",
 }
+#: A sense of a verb, as "get.v.01": the verb, and the number of the sense in WordNet.
+_SENSE = re.compile(r"^[a-z_]+\.v\.\d\d$")
 #: Says that a unit does not fill an element.
 _NOTHING = "none"
 #: What may stand in the place of verbs.
@@ -88,12 +91,20 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             f"'elements' beside {beside}",
             "only one of them: 'elements' says what is special about a verb that inherits the usual relations",
         )
+    class_verbs = {
+        verb.lower(): sense for verb, sense in _arguments(reader, entries.get("verb_class"), f"{prefix}verb_class").items()
+    }
+    for verb, sense in class_verbs.items():
+        if not _SENSE.match(sense) or sense.rsplit(".", 2)[0].replace("_", " ") not in verbs or verb in verbs:
+            expected = "for each other verb, a sense of one of the verbs, such as get.v.01"
+            reader.report("NOT_A_SENSE", entries["verb_class"], f"{prefix}verb_class.{verb}", f"'{sense}'", expected)
     inherits = bool(verbs or events) and listed is None and not has_patterns
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
     return LexicalUnit(
         frame_name=reader.graph_name(entries.get("frame_name"), f"{prefix}frame_name"),
-        verbs=verbs,
+        verbs=(*verbs, *class_verbs),
+        class_verbs=class_verbs,
         relations=tuple(
             _relation(reader, item, item_key)
             for item_key, item in reader.sequence(listed, f"{prefix}frame_element_grammatical_relations")

@@ -32,6 +32,8 @@ _HYPERNYMS = frozenset(["@", "@i"])
 _HYPONYMS = frozenset(["~", "~i"])
 #: Pointers to a synset of verbs with nearly the same meaning.
 _ALIKE = frozenset(["$"])
+#: Pointers to the opposite: "raise" and "lower".
+_OPPOSITES = frozenset(["!"])
 
 
 class NoWordNet(LookupError):
@@ -124,6 +126,14 @@ class WordNet:
     def alike(self, synset: int) -> Tuple[int, ...]:
         """Return the synsets of verbs with nearly the same meaning."""
         return self._pointed(synset, _ALIKE)
+
+    def opposites(self, synset: int) -> Tuple[int, ...]:
+        """Return the synsets with an opposite of a word of a synset."""
+        return self._pointed(synset, _OPPOSITES)
+
+    def gloss(self, synset: int) -> str:
+        """Return what a synset means, without its examples."""
+        return self._files[self._data].line_at(synset).partition(" | ")[2].partition("; \"")[0].strip()
 
     def _pointed(self, synset: int, kinds: FrozenSet[str]) -> Tuple[int, ...]:
         return tuple(target for kind, target in self._synset(synset).pointers if kind in kinds)

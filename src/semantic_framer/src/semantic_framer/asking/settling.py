@@ -191,21 +191,43 @@ def _settled(
         )
     ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
+    of_class = [readings[0] for readings in done if readings[0].unit.stands_for(readings[0].verb)]
+    if is_confirmed:
+        agreed = context.agreed_verbs.union((one.verb, one.unit.frame_name) for one in of_class)
+        context = replace(context, agreed_verbs=agreed)
+    meant = [
+        _meant_by(one)
+        for one in of_class
+        if policy.confirms and (one.verb, one.unit.frame_name) not in context.agreed_verbs
+    ]
     unseen = [unknown_of(argument) for policy_of_frame, argument in unknown if policy_of_frame is UnknownPolicy.ASK]
-    if (confirm or wrong or unseen) and not is_confirmed:
+    if (confirm or wrong or unseen or meant) and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
         if wrong:
             now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
         elif unseen:
             now.write("unknown_thing", acts, f"asked. {' '.join(unseen)}")
-        else:
+        elif confirm:
             now.write("confirm", acts, "asked. The frame wants a yes.")
+        else:
+            now.write("verb_class", acts, "asked. A verb comes from the lexicon, and was not said before.")
         acts = acts if plan is None else _in_words_of(plan, sentence)
-        asked = Question("CONFIRM", " ".join([*wrong, *unseen, f'Shall I really do this: "{acts}"? Say yes or no.']))
+        reasons = [*meant, *wrong, *unseen]
+        if meant and not (confirm or wrong or unseen):
+            asked = Question("CONFIRM", " ".join([*reasons, "Say yes or no."]))
+            return asked, replace(context, pending=pending)
+        asked = Question("CONFIRM", " ".join([*reasons, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
+
+
+def _meant_by(reading: Reading) -> str:
+    """Return the question whether a verb from the lexicon is meant like the verb in whose place it stands."""
+    verb = reading.unit.stands_for(reading.verb)
+    said = replace(reading, clause_text="")
+    return f'By "{_in_words(said)}", do you mean "{_in_words(replace(said, verb=verb))}"?'
 
 
 def _in_words_of(plan: PlanPart, sentence: Sentence) -> str:

@@ -30,6 +30,8 @@ _MARKINGS = word_class("markings")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_PLACING_PREPOSITIONS = word_class("placing_prepositions")
+_PRONOUNS = word_class("pronouns")
 _SPEAKERS = word_class("speaker_objects")
 _STRAIGHT = word_class("straight_adverbs")
 
@@ -57,12 +59,47 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
         return False
     if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
-    if prepositions[0] in _OF_A_THING and word.lemma.lower() in _MARKINGS:
+    if prepositions[0] in _OF_A_THING and (word.lemma.lower() in _MARKINGS or contents_behind(tree, index)):
         return True  # "the shirt *with blue stripes*"
     # "Hand the cup to the man *with the beard*".
     is_somebody = tree.word(head).upos == "NOUN" and is_person(tree.word(head))
     is_thing = word.upos != "PRON" and (is_somebody or not has_case(tree, tree.word(head)))
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
+
+
+def contents_behind(tree: DependencyTree, index: int) -> int:
+    """Return the pronoun behind a phrase with "with" that says where in the thing something is: "a bowl with a pen *in
+    it*"; 0 for none. The phrase belongs to the thing, and is nothing that is done with.
+
+    Args:
+        tree: the sentence
+        index: head of the phrase
+    """
+    if prepositions_of(tree, index)[:1] != ["with"]:
+        return 0
+    own = {index, *(one.index for one in tree.children(index) if one.index < index)}
+    for word in tree.words[index:]:
+        is_there = word.form.lower() in _PRONOUNS and prepositions_of(tree, word.index)[:1]
+        if is_there and prepositions_of(tree, word.index)[0] in _PLACE_PREPOSITIONS:
+            first = min(child.index for child in tree.children(word.index) if child.deprel == "case")
+            between = range(max(own) + 1, first)
+            return word.index if all(tree.word(one).head in own for one in between) else 0
+        if word.deprel == "case" and tree.word(word.head).form.lower() not in _PRONOUNS:
+            return 0
+    return 0
+
+
+def are_contents(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase tells which thing is meant by what is in it: "with a pen" and "in it" in "put the bowl *with a
+    pen in it* on the desk". Without another place, "in it" may be where to.
+    """
+    if contents_behind(tree, index):
+        return True
+    is_behind = any(contents_behind(tree, word.index) == index for word in tree.words[: index - 1])
+    return is_behind and any(
+        word.deprel == "case" and word.form.lower() in _PLACING_PREPOSITIONS and word.head > index
+        for word in tree.words[index:]
+    )
 
 
 def tells_which(tree: DependencyTree, index: int) -> bool:

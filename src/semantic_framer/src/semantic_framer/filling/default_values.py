@@ -1,7 +1,9 @@
 """Says whether a default is meant: it is not where the sentence may say something else for the element."""
 
+from dataclasses import replace
 from typing import Collection, FrozenSet, Mapping
 
+from phrase_meanings.arguments import default_argument
 from semantic_framer.filling.attachment import is_direction
 from semantic_framer.units.frame_roles import DIRECTION
 from semantic_framer.values.iterations import times_said
@@ -9,13 +11,14 @@ from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_types import Fit
-from typed_arguments import Source
+from typed_arguments import Source, TypedArgument
 from utterance_passes.phrases.clauses import Clause, is_then
 from utterance_passes.phrases.measures import find_amounts
 from word_classes import word_class
 
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _IN = "in"
+_PLACING_PREPOSITIONS = word_class("placing_prepositions")
 #: FrameNet's name of going somewhere, and its semantic type of places.
 _GOING, _PLACES = "Motion", ("Location",)
 
@@ -89,6 +92,14 @@ def may_say_direction(sentence: Sentence, reading: Reading, frames: Mapping[str,
         for extra in reading.extra or ()
         if 0 < extra.head_position <= len(sentence.tree.words)
     )
+
+
+def value_of_verb(name: str, text: str) -> TypedArgument:
+    """Make the argument that a verb says by itself: to "refrigerate" something is to put it *in the fridge*."""
+    preposition, _, rest = text.partition(" ")
+    if not rest or preposition not in _PLACING_PREPOSITIONS:
+        return default_argument(name, text)
+    return replace(default_argument(name, rest), relation=preposition)
 
 
 def is_no_place(sentence: Sentence, head: int, frame: SemanticFrame) -> bool:

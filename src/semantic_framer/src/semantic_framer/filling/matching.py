@@ -5,6 +5,7 @@ from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tup
 
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
 from semantic_framer.filling.attachment import (
+    are_contents,
     behind_description,
     has_postmodifiers,
     is_all_at_first_of_two_places,
@@ -24,7 +25,7 @@ from semantic_framer.filling.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.filling.default_values import is_no_place, is_said_otherwise
+from semantic_framer.filling.default_values import is_no_place, is_said_otherwise, value_of_verb
 from semantic_framer.filling.measured_elements import (
     asks_for_a_measure,
     is_in_a_measure,
@@ -286,7 +287,7 @@ class _Filling:
                     if step == "nsubj" and self._subject and not self._clause.subject:
                         found.append(self._subject)
             governors = list(dict.fromkeys(found))
-        return governors
+        return [head for head in governors if not are_contents(self._sentence.tree, head)]
 
     def _reattached(self, preposition: str, is_core: bool) -> List[int]:
         """Return the phrases that the parser attached to an object although the unit asks for them at the verb."""
@@ -367,6 +368,8 @@ class _Filling:
                 particle := listed_particle(self._sentence.tree, self._unit, element.name, self._match.positions)
             ) > 0:
                 found.append(argument_of(self._sentence, element.name, [particle]))
+            elif element.name in self._unit.values:
+                found.append(value_of_verb(element.name, self._unit.values[element.name]))
             elif element.default and not self._is_said_otherwise(element):
                 found.append(default_argument(element.name, element.default))
             elif element.default:

@@ -377,6 +377,12 @@ def _condition(case: ClauseCase) -> Optional[Refusal]:
     )
 
 
+def _is_of_class(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return bool(reading.unit.stands_for(reading.verb)) and any(
+        not other.unit.stands_for(other.verb) and not other.missing for other in beside
+    )
+
+
 def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
     return bool(reading.missing) and any(not other.missing for other in beside)
 
@@ -414,6 +420,7 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict("report", "It tells how something is, and the unit is not about its subject.", _is_no_fact, _report),
     ReadingVerdict("performer", "The unit is about who is to do something.", _is_about_its_performer),
     ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
+    ReadingVerdict("verb_class", "Its verb comes from the lexicon, and a unit that lists the verb fits.", _is_of_class),
     ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
     ReadingVerdict(

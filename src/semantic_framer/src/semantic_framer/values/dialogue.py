@@ -1,7 +1,7 @@
 """Memory from one utterance to the next: an open question, and the last thing and place mentioned."""
 
 from dataclasses import dataclass, replace
-from typing import Optional, Tuple, Union
+from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_framer.values.clause_plan import PlanPart
 from semantic_framer.values.reading import Reading
@@ -139,6 +139,7 @@ class Context:
         spoken_of: the things that were mentioned, the last one first
         persons: the persons mentioned in the last utterance that mentions one, the last one first
         are_persons_of_before: whether that was an earlier utterance
+        agreed_verbs: verbs from the lexicon, each with its frame, that a person agreed to: "obtain" is getting
     """
 
     pending: Optional[Pending] = None
@@ -149,6 +150,7 @@ class Context:
     spoken_of: Tuple[Mention, ...] = ()
     persons: Tuple[TypedArgument, ...] = ()
     are_persons_of_before: bool = False
+    agreed_verbs: FrozenSet[Tuple[str, str]] = frozenset()
 
     @property
     def ids_spoken_of(self) -> Tuple[str, ...]:
