@@ -22,6 +22,8 @@ from semantic_framer.framer import Understood, read
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types import Fit, shipped_types
+from semantic_types.verb_classes import is_of_class
+from semantic_types.wordnet import VERB, shipped_wordnet
 from typed_arguments import FilledFrame
 from word_classes import word_class
 
@@ -75,6 +77,15 @@ def test_an_enumeration_is_found(words, count):
     relation = f"{{name: y, relation: dobj, words: [{words}]}}"
     text = f"frame_name: x\nverb: do\nframe_element_grammatical_relations:\n  - {relation}"
     assert len(enumerations(load_lexical_units(text, "x.yaml")[0])) == count
+
+
+def test_each_verb_of_a_class_is_one_by_wordnet_and_no_unit_has_it(loaded):
+    net = shipped_wordnet(VERB)
+    units = loaded[0].lexicon.units
+    written = {verb for unit in units for verb in unit.verbs if verb not in unit.class_verbs}
+    listed = [(unit.path, verb, sense) for unit in units for verb, sense in unit.class_verbs.items()]
+    assert len(listed) > 20
+    assert [one for one in listed if one[1] in written or not is_of_class(net, one[1], one[2])] == []
 
 
 @pytest.fixture(scope="module")

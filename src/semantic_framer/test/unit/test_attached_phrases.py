@@ -34,6 +34,9 @@ from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Und
         ("Set the oven to 200 degrees.", "switching_device(device=the oven, operational_state=200 degrees)"),
         ("Take the red mug, not the white one, to my desk.", "bringing(theme=the red mug, goal=my desk)"),
         # What tells a thing apart is no second thing.
+        ("Put a bowl with a tomato in it in the fridge.", "placing(theme=a bowl with a tomato in it, goal=the fridge)"),
+        ("Place a mug with a knife in it in a sink.", "placing(theme=a mug with a knife in it, goal=a sink)"),
+        ("Put the flowers in the vase with water in it.", "placing(theme=the flowers, goal=the vase with water in it)"),
         ("Stand in the square.", "navigating_to_location(goal=the square)"),
         # Spellings.
         ("Turn ninety degrees counter-clockwise.", "turning(direction=counterclockwise, angle=90, angle_unit=degrees)"),

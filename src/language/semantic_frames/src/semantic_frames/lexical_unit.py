@@ -167,8 +167,8 @@ class LexicalUnit:
         asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
         holds: the frames of state that a condition may be said in: "being_located"
         events: verbs of what happens, in conditions alone, with their particles: "show up"
-        values: arguments that the words of a pattern, or the verbs by themselves, stand for, by element: "open" for "the
-            door opens", "in the fridge" for "refrigerate"
+        values: arguments that the words of a pattern, or the verbs by themselves, stand for, by element: "open" for
+            "the door opens", "in the fridge" for "refrigerate"
         class_verbs: those of the verbs that come from WordNet and not from a programmer, each with the sense of another
             verb of the unit that it has, or is a way of: "obtain" with "get.v.01"
         path: the file that it came from

@@ -91,9 +91,8 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             f"'elements' beside {beside}",
             "only one of them: 'elements' says what is special about a verb that inherits the usual relations",
         )
-    class_verbs = {
-        verb.lower(): sense for verb, sense in _arguments(reader, entries.get("verb_class"), f"{prefix}verb_class").items()
-    }
+    listed_class = _arguments(reader, entries.get("verb_class"), f"{prefix}verb_class")
+    class_verbs = {verb.lower(): sense for verb, sense in listed_class.items()}
     for verb, sense in class_verbs.items():
         if not _SENSE.match(sense) or sense.rsplit(".", 2)[0].replace("_", " ") not in verbs or verb in verbs:
             expected = "for each other verb, a sense of one of the verbs, such as get.v.01"

@@ -26,6 +26,18 @@ def test_file_of_2012_loads_unchanged() -> None:
     assert [str(relation.relations[0]) for relation in unit.relations] == ["iobj", "dobj"]
 
 
+def test_verbs_of_a_class_stand_for_a_verb_of_the_unit() -> None:
+    (unit,) = load_lexical_units("frame_name: taking\nverb: [get, pick up]\nverb_class: {obtain: get.v.01}\n", "u.yaml")
+    assert unit.verbs == ("get", "pick up", "obtain")
+    assert (unit.stands_for("obtain"), unit.stands_for("get")) == ("get", "")
+
+
+@pytest.mark.parametrize("listed", ["{obtain: get}", "{obtain: own.v.01}", "{get: get.v.01}"])
+def test_a_verb_of_a_class_needs_a_sense_of_another_verb_of_the_unit(listed: str) -> None:
+    with pytest.raises(FileRefused, match="NOT_A_SENSE"):
+        load_lexical_units(f"frame_name: taking\nverb: get\nverb_class: {listed}\n", "u.yaml")
+
+
 def test_list_of_units_chains_and_alternatives() -> None:
     units = load_lexical_units(
         "- frame_name: a\n  verb: [go, Walk  up]\n  frame_element_grammatical_relations:\n"

@@ -133,7 +133,7 @@ class WordNet:
 
     def gloss(self, synset: int) -> str:
         """Return what a synset means, without its examples."""
-        return self._files[self._data].line_at(synset).partition(" | ")[2].partition("; \"")[0].strip()
+        return self._files[self._data].line_at(synset).partition(" | ")[2].partition('; "')[0].strip()
 
     def _pointed(self, synset: int, kinds: FrozenSet[str]) -> Tuple[int, ...]:
         return tuple(target for kind, target in self._synset(synset).pointers if kind in kinds)

@@ -22,6 +22,7 @@ COMMANDS = (
         "roboframenet_tools.listing",
         "count domains, frames, lexical units and grounded frames, beside the paper",
     ),
+    ("verbs", "roboframenet_tools.verbs", "propose verbs of WordNet for lexical units, for a person to review"),
     ("graph", "roboframenet_tools.graph", "draw the graph of semantic frames"),
     (
         "new",
