@@ -50,6 +50,8 @@ class ElementRelation:
             type below them, or something of no known type; empty for anything
         is_required: whether the unit fits only when this relation matches, even if the element is not core or has a
             default ("Give me 5" is a high five because of the 5)
+        is_wanted: whether a phrase fills the element that the parser attached to the object, as it does for a core or
+            required element: "count the chairs *in the hall*"
         after_place: prepositions; a phrase of place fills the element only when it follows a phrase with one of these:
             the couch in "the box on the table on the couch"; empty for any position
         line: line of the file, from 1
@@ -60,6 +62,7 @@ class ElementRelation:
     argument: ArgumentForm = ArgumentForm.HEAD
     words: Tuple[str, ...] = ()
     is_required: bool = False
+    is_wanted: bool = False
     after_place: Tuple[str, ...] = ()
     line: int = 0
     semantic_types: Tuple[str, ...] = ()

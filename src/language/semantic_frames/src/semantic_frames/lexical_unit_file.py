@@ -41,6 +41,7 @@ _ATTRIBUTES = {
     "words": "words",
     "semantic_type": "semantic_types",
     "required": "is_required",
+    "wanted": "is_wanted",
     "after_place": "after_place",
 }
 #: A sense of a verb, as "get.v.01": the verb, and the number of the sense in WordNet.

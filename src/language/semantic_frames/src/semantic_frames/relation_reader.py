@@ -16,7 +16,7 @@ from semantic_frames.relation_names import (
 )
 from semantic_frames.semantic_type import read_semantic_types
 
-RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
+RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "wanted", "after_place")
 
 
 def read_relation(
@@ -54,6 +54,7 @@ def read_relation(
         ),
         words=words,
         is_required=reader.boolean(entries.get("required"), f"{key}.required"),
+        is_wanted=reader.boolean(entries.get("wanted"), f"{key}.wanted"),
         after_place=tuple(word.lower() for word in reader.texts(entries.get("after_place"), f"{key}.after_place")),
         line=line_of(node),
         semantic_types=types,

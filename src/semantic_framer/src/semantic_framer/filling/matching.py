@@ -183,7 +183,7 @@ class _Filling:
         )
 
     def _is_first(self, relation: ElementRelation) -> bool:
-        return relation.is_required or relation.is_limited or self._is_core(relation.name)
+        return relation.is_required or relation.is_wanted or relation.is_limited or self._is_core(relation.name)
 
     def _note(self, rule: str, positions: Iterable[int], what: str) -> None:
         words = frozenset(positions)
@@ -199,7 +199,7 @@ class _Filling:
     def _take_phrase(self, relation: ElementRelation) -> None:
         if not any(may_have(self._sentence, path) for path in relation.relations):
             return
-        is_wanted = relation.is_required or self._is_core(relation.name)
+        is_wanted = relation.is_required or relation.is_wanted or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": the first place is meant, and the others describe it.
         static = [path for path in relation.relations if path.preposition.split("_")[0] in _PLACE_PREPOSITIONS]
         places = places_said(self._sentence.tree, (head for path in static for head in self._follow(path, is_wanted)))

@@ -31,6 +31,8 @@ def _lines(relation: ElementRelation) -> List[str]:
         found.append(f"      after_place: {_list(relation.after_place)}")
     if relation.is_required:
         found.append("      required: True")
+    if relation.is_wanted:
+        found.append("      wanted: True")
     return found
 
 
