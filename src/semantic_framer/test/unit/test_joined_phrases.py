@@ -38,7 +38,7 @@ def test_a_place_behind_a_thing_is_postmodifier_of_one():
 
 
 def test_with_describes_only_what_the_verb_is_about():
-    follow = sentence(*FOLLOW_THE_GUY_WITH_A_HAT)
+    follow = sentence(*FOLLOW_THE_GUY_WITH_A_HAT).tree
     assert is_postmodifier_of(follow, 6, 3, is_described=True)
     assert not is_postmodifier_of(follow, 6, 3, is_described=False)
 

@@ -16,7 +16,12 @@ from semantic_frames.source_files import read_text
 ROLES_FILE = Path(__file__).parent / "roles.yaml"
 #: Stands for the values that the frame allows for an element.
 _VALUES = ("values",)
-_KEYS = ("role", "is_core", "filler", *(key for key in RELATION_KEYS if key not in ("name", "required", "wanted", "after_place")))
+_KEYS = (
+    "role",
+    "is_core",
+    "filler",
+    *(key for key in RELATION_KEYS if key not in ("name", "required", "wanted", "after_place")),
+)
 _MEASURE = ElementRelation("", (RelationPath((MEASURE,)),))
 _OBJECT = ElementRelation("", (RelationPath(("dobj",)),), ArgumentForm.PHRASE)
 
