@@ -296,7 +296,7 @@ class VoiceRecognition:
                 is_said = False
             elif not is_said:
                 is_said = True
-                rospy.loginfo("no sound comes from a microphone: is there a sound card? Everything else runs")
+                rospy.loginfo("no microphone input (sound card?); running without voice")
             time.sleep(RETRY_S)
 
     def _listen_to(self, command: Tuple[str, ...]) -> bool:
