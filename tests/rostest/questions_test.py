@@ -57,7 +57,7 @@ class QuestionAnsweringTest(unittest.TestCase):
         wait_until(lambda: any("on the table in the kitchen" in text for text in said), message=lambda: said)
 
     def test_2_a_statement_is_told(self) -> None:
-        self.assert_says("Tell Anna that dinner is ready.", "Anna, I am to tell you: dinner is ready.")
+        self.assert_says("Tell Anna that dinner is ready.", "Anna, I was asked to tell you: dinner is ready.")
         self.assert_says("Tell me when you are done.", "I am done.")
         self.assert_says("Tell me the date.", "It is ")
 

@@ -1,5 +1,6 @@
 """The README and each tutorial run to their ends by their own text, each in an empty folder."""
 
+import json
 import os
 import re
 import shutil
@@ -23,16 +24,16 @@ PAGE_TIMEOUT_S = 600.0
 START_TIMEOUT_S = 300.0
 #: Deadlines of the pipeline, seconds; a test machine that is busy is slower than a robot.
 PATIENT = {
-    "/command_server/stop_timeout_s": "30.0",
-    "/command_server/stage_timeout_s": "60.0",
-    "/stop_server/confirmation_timeout_s": "10.0",
-    "/command_server/confirmation_timeout_s": "10.0",
-    "/semantic_framer/question_timeout_s": "300.0",
-    "/frame_registrar/liveness_timeout_s": "10.0",
-    "/executor/acceptance_timeout_s": "30.0",
-    "/executor/silence_timeout_s": "30.0",
-    "/move_action_server/odometry_timeout_s": "2.0",
-    "/move_action_server/stall_timeout_s": "30.0",
+    "/command_server/stop_timeout_s": 30.0,
+    "/command_server/stage_timeout_s": 60.0,
+    "/stop_server/confirmation_timeout_s": 10.0,
+    "/command_server/confirmation_timeout_s": 10.0,
+    "/semantic_framer/question_timeout_s": 300.0,
+    "/frame_registrar/liveness_timeout_s": 10.0,
+    "/executor/acceptance_timeout_s": 30.0,
+    "/executor/silence_timeout_s": 30.0,
+    "/move_action_server/odometry_timeout_s": 2.0,
+    "/move_action_server/stall_timeout_s": 30.0,
 }
 _COLOURS = re.compile("\x1b\\[[0-9;]*m")
 
@@ -77,8 +78,8 @@ class PatientMaster:
         self._processes: List[subprocess.Popen[bytes]] = []
         self.start("roscore", "-p", self.environment["ROS_MASTER_URI"].rpartition(":")[2])
         try:
-            for name, value in PATIENT.items():
-                self.wait_for("rosparam", "set", name, value)
+            (folder / "patient.yaml").write_text(json.dumps(PATIENT), encoding="utf-8")
+            self.wait_for("rosparam", "load", str(folder / "patient.yaml"))
         except AssertionError:
             self.close()
             raise
@@ -96,6 +97,8 @@ class PatientMaster:
         """Repeat a command until it succeeds."""
         deadline_s = time.monotonic() + START_TIMEOUT_S
         while subprocess.run(command, env=self.environment, capture_output=True, check=False).returncode:
+            # What is started needs the processor more than who asks.
+            time.sleep(1.0)
             alive = self._processes[-1].poll() is None
             assert alive and time.monotonic() < deadline_s, self._log.read_text()[-3000:]
 

@@ -38,6 +38,7 @@ def test_same_seed_gives_the_same_orders() -> None:
     assert one.failures == other.failures and one.seconds == other.seconds
 
 
+@pytest.mark.acceptance
 def test_orderings_with_a_full_store_are_measured() -> None:
     assert len(ordering_with_a_full_store(3)) == 3
 

@@ -90,14 +90,9 @@ def test_a_checkpoint_of_other_settings_is_not_gone_on_from(tmp_path):
     assert history[0]["epoch"] == 1
 
 
-def test_it_learns_its_sentences(tmp_path):
-    one = learner(tmp_path, replace(SETTINGS, epochs=120))
-    assert one.train(SENTENCES, SENTENCES, SENTENCES)[-1]["las"] == 100.0
-
-
-def test_it_learns_from_teachers(tmp_path):
+def test_it_learns_its_sentences_and_from_teachers(tmp_path):
     one = learner(tmp_path / "first", replace(SETTINGS, epochs=120))
-    one.train(SENTENCES, SENTENCES, SENTENCES)
+    assert one.train(SENTENCES, SENTENCES, SENTENCES)[-1]["las"] == 100.0
     teachers = Teachers([one.averaged(), one.averaged()])
     taught = learner(tmp_path / "second", replace(SETTINGS, epochs=120, soft=1.0), teachers)
     assert taught.train(SENTENCES, SENTENCES, SENTENCES)[-1]["las"] == 100.0

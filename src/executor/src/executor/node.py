@@ -7,32 +7,24 @@ import queue
 import threading
 import time
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Optional, Set, Tuple, Union
+from typing import Dict, List, Optional, Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport, TriedFrame
+from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport
 from std_msgs.msg import Duration
 
 import smach
 from arbitrator.node_runs import PREEMPTED
-from arbitrator.plan import Do, Plan, walk
+from arbitrator.plan import Plan
 from arbitrator.rest_of_plan import Rest, said
 from arbitrator.ros_messages import plan_from_message, plan_to_message
 from arbitrator.state_machine import plan_label
 from executor import command_queue, replies
 from executor.command_queue import Beginning, Cause, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.commander_watch import CommanderWatch
-from executor.patience import Patience
-from executor.quarantine import Quarantine
-from executor.ready_thread import ReadyThread
-from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
-from executor.ros_driver_settings import DriverSettings
-from executor.ros_introspection import Introspection
 from executor.ros_master_watch import MasterWatch
-from executor.ros_running_goals import RunningGoals
-from executor.ros_server_profiles import ServerProfiles
-from executor.ros_tried_frames import tried_frame
+from executor.ros_run_starter import RunStarter
 from executor.settings import OnMasterLost, Settings
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_hand_over import HandOver
@@ -41,7 +33,6 @@ from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_replays import ReplayWatch
 from roboframenet_ros.ros_server_links import newest_link
 from roboframenet_ros.ros_stage import Stage
-from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.emergency import Emergency
 from robot_stop.ros_emergency import EmergencyWatch
 
@@ -51,9 +42,6 @@ _EVENT_PERIOD_S = 0.5
 _BUSY_PERIOD_S = 0.1
 # A stop cancels all goals before it reports itself, so a goal may be gone before its reason is known.
 _EXPLANATION_S = 1.0
-_HIDDEN = Introspection(is_enabled=False)
-# A longer turn of the worker means that the process was suspended.
-_LONGEST_TURN_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -92,9 +80,9 @@ _Event = Union[CommandPlan, StopReport, Command, Emergency, _Note, _RunEnded, _M
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``emergency_stop``, ``frame_servers``,
-    ``command_server_started``, ``status``.
-    Publishes: ``stage_events``, ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``emergency_stop``, ``command_server_started``,
+    ``status``. Publishes: ``stage_events``, ``stopped_plan``. Calls the action servers that the plans name. Its
+    `RunStarter` knows the servers.
     """
 
     def __init__(self, settings: Settings, *, private: str = "~") -> None:
@@ -104,25 +92,15 @@ class ExecutorNode:
             private: prefix of its private names
         """
         self._settings = settings
-        self._server_settings = DriverSettings(
-            timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
-        )
-        self._clients = ActionClients(max_kept=settings.max_clients, prepare=self._server_settings.prepare)
-        self._running_goals = RunningGoals(private + "running_goals")
-        self._profiles = ServerProfiles(self._clients.hear_living, default_silence_s=settings.condition_silence_s)
-        self._quarantine = Quarantine(duration_s=settings.quarantine_s)
+        self._starter = RunStarter(settings, private=private)
         self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
-        self._introspection = Introspection(is_enabled=settings.introspection)
-        self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
         self._runs: Dict[str, CommandRun] = {}
-        self._run_threads = ReadyThread("command_run")
         # Runs whose goal somebody else cancelled, and until when a stop may explain that.
         self._unexplained: List[Tuple[float, _RunEnded]] = []
         self._next_event_s = 0.0
         self._inbox: queue.SimpleQueue[_Event] = queue.SimpleQueue()
         self._emergency = EmergencyWatch(self._inbox.put)
-        self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
         self._replays = ReplayWatch(self._stage)
@@ -134,10 +112,8 @@ class ExecutorNode:
     def start(self) -> None:
         """Start to take commands."""
         rospy.on_shutdown(self._shutdown)
-        self._running_goals.start()
-        self._server_settings.start()
+        self._starter.start()
         self._worker.start()
-        self._profiles.start()
         self._replays.start()
         self._master.start()
         self._subscribers = [
@@ -148,7 +124,7 @@ class ExecutorNode:
 
     def health(self) -> Health:
         """How the node is."""
-        runs, servers = list(self._runs.values()), self._quarantine.servers
+        runs, servers = list(self._runs.values()), self._starter.servers_out_of_use
         doing = " ".join(run.describe() for run in runs) or "Waits for a command."
         if servers:
             return Health(Level.WARN, f"{doing} Out of use: {', '.join(servers)}.")
@@ -165,19 +141,17 @@ class ExecutorNode:
                 is_idle = not (self._commands.running or self._commands.waiting)
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S if is_idle else _BUSY_PERIOD_S)
             except queue.Empty:
-                self._suspension.turn()
+                self._starter.turn()
                 self._look_around()
                 continue
             if event is None:
                 self._end_all()
                 return
-            self._suspension.turn()
+            self._starter.turn()
             try:
                 self._handle(event)
             except Exception as error:  # boundary: one message must not end the work on all others
-                rospy.logerr(
-                    "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
-                )
+                rospy.logerr("could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error)
             self._look_around()
 
     def _look_around(self) -> None:
@@ -236,21 +210,8 @@ class ExecutorNode:
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
         job = _Job(command=message.command, plan=plan)
-        order = Order(key, job, Beginning(message.plan.beginning), self._resources(plan))
+        order = Order(key, job, Beginning(message.plan.beginning), self._starter.resources(plan))
         self._follow(command_queue.submit(self._commands, order, now_ns=rospy.Time.now().to_nsec()))
-
-    def _resources(self, plan: Plan) -> Optional[FrozenSet[str]]:
-        """Return what the servers of a plan may occupy; None for everything."""
-        found: Set[str] = set()
-        for part in walk(plan):
-            if not isinstance(part, Do):
-                continue
-            for frame in (frame for candidate in part.candidates for frame in candidate.frames):
-                resources = self._profiles.resources(frame)
-                if resources is None:
-                    return None
-                found |= resources
-        return frozenset(found)
 
     def _order_of(self, run: CommandRun) -> "Optional[Order[_Job]]":
         return next(
@@ -321,24 +282,14 @@ class ExecutorNode:
             self._stopped.publish(StoppedPlan(command=command, plan=plan_to_message(rest.plan), said=rest.said))
 
     def _start_run(self, order: "Order[_Job]") -> None:
-        run = CommandRun(
+        run = self._starter.make(
+            order.job.command,
             order.job.plan,
-            clients=self._clients,
-            settings=self._server_settings,
-            running_goals=self._running_goals,
-            deadlines=self._settings.deadlines,
-            quarantine=self._quarantine,
-            patience=Patience(command_s=self._settings.longest_command_s, search_s=self._settings.longest_search_s),
-            profiles=self._profiles,
-            longest_wait_s=self._settings.longest_wait_s,
             after_stop=command_queue.after_stop(self._commands, now_ns=rospy.Time.now().to_nsec()),
-            on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
-            on_tried=lambda *tried: self._tried.publish(tried_frame(order.job.command, *tried)),
-            on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
             # One machine at a time is shown.
-            introspection=_HIDDEN if self._runs else self._introspection,
-            suspension=self._suspension,
-            threads=self._run_threads,
+            is_shown=not self._runs,
+            on_note=lambda noted, sentence: self._inbox.put(_Note(noted, sentence)),
+            on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
         )
         self._runs[order.key.command_id] = run
         # The run says itself what begins.
@@ -375,9 +326,7 @@ class ExecutorNode:
                 break
             if isinstance(event, _RunEnded):
                 self._hear_end(event)
-        self._clients.close()
-        self._server_settings.close(timeout_s=1.0)
-        self._running_goals.close(timeout_s=1.0)
+        self._starter.close()
 
 
 def start(place: Place) -> ExecutorNode:

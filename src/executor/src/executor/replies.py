@@ -36,7 +36,7 @@ _SENTENCE_OF = {
     Cause.NEW_COMMAND: "A newer command took its place.",
     Cause.STOPPED: "Stopped.",
     Cause.NOT_FREE: "It did not begin, because something else ran.",
-    Cause.NOT_BEGUN: "I did not begin, because what it was to follow was not done.",
+    Cause.NOT_BEGUN: "I did not start, because the step before failed.",
     Cause.TOO_MANY: "I did not begin, because too many commands wait or run already.",
 }
 #: Nothing took the place of these: the robot could not do what was said.

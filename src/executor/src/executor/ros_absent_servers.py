@@ -56,7 +56,7 @@ class AbsentServers:
         try:
             self._look(servers)
         except NO_ANSWER as error:
-            rospy.logdebug("the master does not say which servers there are: %s", error)
+            rospy.logdebug("the master does not list the servers: %s", error)
         return frozenset(filter(self.is_missing, servers))
 
     def left_s(self, server: str, wait_s: float) -> float:

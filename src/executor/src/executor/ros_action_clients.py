@@ -182,7 +182,7 @@ class ActionClients:
                     if made.is_ready():
                         break
             except Exception as error:  # boundary: as in `get`; a goal for that server says why
-                rospy.logdebug("%s cannot be connected beforehand: %s", server, error)
+                rospy.logdebug("cannot connect to %s ahead of time: %s", server, error)
             finally:
                 self.release(server)
 

@@ -216,7 +216,7 @@ class CommandRun:
             self._show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: the command must be answered, however the machine broke
-            rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
+            rospy.logerr("the state machine failed: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
             result = RunResult(outcome, self._record.records(), error, self._is_without_master, self._progress.rest())

@@ -85,7 +85,7 @@ class ConditionWatch:
             try:
                 reason = self._send(frame)
             except Exception as fault:  # boundary: a watch that broke without a word would never end
-                rospy.logerr("the watch of %s broke: %s: %s", frame.server, type(fault).__name__, fault)
+                rospy.logerr("the watch of %s failed: %s: %s", frame.server, type(fault).__name__, fault)
                 reason = f"cannot be watched: {fault}"
             if reason is None or self._is_closed.is_set():
                 return

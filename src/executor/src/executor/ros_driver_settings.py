@@ -93,7 +93,7 @@ class DriverSettings:
             with self._lock:
                 self._left_over = list(from_record(self._record.load()))
         except ValueError as error:
-            rospy.logwarn("settings of the previous run are not restored: %s", error)
+            rospy.logwarn("could not restore the settings of the previous run: %s", error)
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:

@@ -29,7 +29,7 @@ class RunningGoals:
         try:
             left_over = [(str(entry["server"]), str(entry["goal_id"])) for entry in self._record.load() or ()]
         except (ValueError, KeyError, TypeError) as error:
-            rospy.logwarn("goals of the previous run are not cancelled: %s", error)
+            rospy.logwarn("could not cancel the goals of the previous run: %s", error)
             return
         if left_over:
             self._thread = threading.Thread(
@@ -66,7 +66,7 @@ class RunningGoals:
             for server, goal_id in left_over
         ]
         for server, _ in left_over:
-            rospy.logwarn("cancels the goal that the killed executor had left at %s", server)
+            rospy.logwarn("cancelling the goal left on %s by a killed executor", server)
         end_s = time.monotonic() + _CONNECT_TIMEOUT_S
         # Any of the subscribers may be the server, and not the first one: each new one gets all of them.
         while connections.wait_for_new(end_s - time.monotonic()):

@@ -208,7 +208,7 @@ class WatchGoals:
         try:
             reason = goal.step()
         except Exception as fault:  # boundary: one watch that breaks must not end all others
-            rospy.logerr("a watch broke: %s: %s", type(fault).__name__, fault)
+            rospy.logerr("a watch failed: %s: %s", type(fault).__name__, fault)
             reason = f"cannot be watched: {fault}"
         if reason is None:
             return
@@ -218,4 +218,4 @@ class WatchGoals:
             goal.close()
             goal.on_end(reason)
         except Exception as fault:  # boundary: as above
-            rospy.logerr("the end of a watch broke: %s: %s", type(fault).__name__, fault)
+            rospy.logerr("the end of a watch failed: %s: %s", type(fault).__name__, fault)

@@ -14,12 +14,10 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     Fleet,
     FrameCallback,
-    FrameCatalogue,
     FrameServers,
     Plan,
     PlanNode,
     Reply,
-    SourceFile,
 )
 from roboframenet_msgs.srv import (
     AddFrame,
@@ -39,12 +37,12 @@ from roboframenet_msgs.srv import (
 from frame_registrar.beginning import Beginning
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_candidate_topics import CandidateTopics
+from frame_registrar.ros_frame_files import FrameFiles
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import (
     conditions_in,
     to_clauses,
     to_empty_frame,
-    to_file_problems,
     to_frame_lists,
     to_plan,
 )
@@ -55,15 +53,8 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import PublisherOfEachRobot, is_robot_name
 from roboframenet_ros.ros_stage import Stage
-from semantic_frames import FileRefused, Problem, load_frame
-from semantic_frames.frame import SemanticFrame
 from semantic_frames.ros_server_profile import profile_from_message, profile_to_message
 from semantic_frames.server_profile import AS_IN_2012, ServerProfile
-from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
-
-#: Written by the node, for its own restarts: files that were added while it ran.
-#: Private parameter.
-ADDED_FRAMES = "_added_frames"
 
 
 @dataclass(frozen=True)
@@ -93,33 +84,27 @@ class FrameRegistrar:
         command_lexical_units (CommandLexicalUnits), fleet (Fleet, latched)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
-        frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
-        file_problems (FileProblems, latched), stage_events (StageEvent)
+        frame_servers (FrameServers, latched), stage_events (StageEvent);
+        what :class:`.ros_frame_files.FrameFiles` does
     Services:
         add_frame, get_empty_frame, register_with_frame, register_server
     Parameters: see :class:`Settings`.
     """
 
     def __init__(self, settings: Settings, place: Place) -> None:
-        self._place = place
         self._settings = settings
         self._lock = threading.Lock()
-        self._adding = threading.Lock()
         self._graph = FrameGraph()
-        self._texts: Dict[str, str] = {}
-        self._name_of_file: Dict[str, str] = {}
-        self._problems: Tuple[Problem, ...] = ()
         self._dead: FrozenSet[str] = frozenset()
         self._id = uuid.uuid4().hex
-        self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._files = FrameFiles(self._graph, self._lock, place, registrar_id=self._id)
         self._servers = PublisherOfEachRobot("frame_servers", FrameServers, queue_size=1, latch=True)
         self._told: Dict[str, FrameServers] = {}
         self._robots: FrozenSet[str] = frozenset()
-        place.problems.advertise()
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
         self._stage = Stage("frame_registrar")
-        self._load_files()
+        self._files.load(settings.frame_paths)
         self._beginning = Beginning(settings.settle_s)
         self._subscriber = rospy.Subscriber(
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
@@ -132,7 +117,8 @@ class FrameRegistrar:
             rospy.Service("register_server", RegisterServer, self._on_register_server),
             rospy.Service("register_with_frame", RegisterWithFrame, self._on_register),
         ]
-        self._publish_catalogue()
+        self._files.publish()
+        self._publish_servers()
         self._watch = LivenessWatch(
             self._registered_servers,
             self._on_dead,
@@ -140,63 +126,22 @@ class FrameRegistrar:
             timeout_s=settings.liveness_timeout_s,
         )
         rospy.on_shutdown(self._watch.close)
-        rospy.loginfo("ready: %d frames, %d problems, %s", len(self._graph.frames), len(self._problems), settings)
+        rospy.loginfo("ready: %d frames, %d problems, %s", len(self._graph.frames), len(self._files.problems), settings)
 
     def health(self) -> Health:
         """How the node is."""
         faults = []
-        if self._problems:
-            faults.append(f"Problems in files: {len(self._problems)}; see file_problems.")
+        if self._files.problems:
+            faults.append(f"Problems in files: {len(self._files.problems)}; see file_problems.")
         if self._dead:
             faults.append(f"Not running: {', '.join(sorted(self._dead))}.")
-        values = {"frames": len(self._texts), "problems in files": len(self._problems)}
+        values = {"frames": len(self._files.paths), "problems in files": len(self._files.problems)}
         return Health(Level.WARN, " ".join(faults), values) if faults else Health(values=values)
 
-    def _load_files(self) -> None:
-        added: List[str] = rospy.get_param(self._place.private + ADDED_FRAMES, [])
-        for path in list(yaml_files(self._settings.frame_paths, FRAMES_FOLDER)) + added:
-            self._add_file(path)
-
-    def _add_file(self, path: str) -> bool:
-        """Add one frame file; return whether it is in the graph now. The problems are logged and published."""
-        problems: Tuple[Problem, ...] = ()
-        try:
-            # Commands need the lock, so the file is read before.
-            text = read_text(path)
-            frame = load_frame(text, path)
-            with self._lock:
-                self._add_frame(frame)
-                self._texts[path] = text
-        except FileRefused as refused:
-            problems = refused.problems
-        for problem in problems:
-            rospy.logerr("refused: %s", problem)
-        self._problems = replace_problems(self._problems, path, problems)
-        self._place.problems.publish("frame_registrar", to_file_problems(self._problems))
-        return not problems
-
-    def _add_frame(self, frame: SemanticFrame) -> None:
-        before = self._graph.frame(frame.name)
-        self._graph.add(frame)
-        if before is not None and before.path != frame.path:
-            rospy.logwarn("frame '%s' of %s replaces that of %s", frame.name, frame.path, before.path)
-            self._texts.pop(before.path, None)
-        old = self._graph.frame(self._name_of_file.get(frame.path, ""))
-        if old is not None and old.name != frame.name and old.path == frame.path:
-            rospy.loginfo("frame '%s' is removed: %s now describes '%s'", old.name, frame.path, frame.name)
-            self._graph.remove(old.name)
-        self._name_of_file[frame.path] = frame.name
-
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
-        path = request.absolute_file_path
-        # This lock is separate: it keeps both of two files added at once, and no command waits for the master.
-        with self._adding:
-            is_added = self._add_file(path)
-            if is_added:
-                added = rospy.get_param(self._place.private + ADDED_FRAMES, [])
-                if path not in added:
-                    rospy.set_param(self._place.private + ADDED_FRAMES, added + [path])
-                self._publish_catalogue()
+        is_added = self._files.add(request.absolute_file_path)
+        if is_added:
+            self._publish_servers()
         return AddFrameResponse(success=is_added)
 
     def _on_get_empty_frame(self, request: GetEmptyFrameRequest) -> GetEmptyFrameResponse:
@@ -262,13 +207,6 @@ class FrameRegistrar:
             rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
             self._publish_servers()
 
-    def _publish_catalogue(self) -> None:
-        # Publish under the lock: the later of two changes must stay latched.
-        with self._lock:
-            files = [SourceFile(path=path, text=text) for path, text in self._texts.items()]
-            self._catalogue.publish(FrameCatalogue(registrar_id=self._id, files=files))
-        self._publish_servers()
-
     def _publish_servers(self) -> None:
         with self._lock:
             callbacks = [
@@ -280,7 +218,7 @@ class FrameRegistrar:
                 )
                 for frame, server in self._graph.registrations()
             ]
-            paths = list(self._texts)
+            paths = self._files.paths
             self._servers.publish("", FrameServers(registrar_id=self._id, paths=paths, callbacks=callbacks))
             # Each robot hears of its own servers, when they change; those of no robot are for all.
             for robot in sorted(self._robots.union(callback.profile.robot for callback in callbacks) - {""}):

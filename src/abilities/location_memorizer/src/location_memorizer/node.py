@@ -109,9 +109,9 @@ class LocationMemorizer:
     def _set_memory_aside(self) -> None:
         """Keep a memory that cannot be read: the next place would overwrite it."""
         try:
-            rospy.logwarn("the memory that cannot be read is kept as %s", set_aside(self._memory_file))
+            rospy.logwarn("kept the unreadable memory file as %s", set_aside(self._memory_file))
         except OSError as error:
-            rospy.logerr("the memory that cannot be read will be overwritten: %s", error)
+            rospy.logerr("the unreadable memory file will be overwritten: %s", error)
 
     def _known(self) -> Dict[str, Location]:
         return {**self._of_world, **self._places, **self._remembered}

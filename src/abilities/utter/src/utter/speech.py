@@ -46,7 +46,7 @@ def told_statement(message: str, addressee: str = "", *, is_own: bool = False) -
         addressee: whom to tell, "Anna"; empty or "me" for whoever commands
         is_own: whether "I" in it is the robot: "I see Bob"
     Returns:
-        "Anna, I am to tell you: dinner is ready."
+        "Anna, I was asked to tell you: dinner is ready."
     Raises:
         NothingToSay: the message is empty or too long
     """
@@ -55,7 +55,7 @@ def told_statement(message: str, addressee: str = "", *, is_own: bool = False) -
         return text
     # Only a name has its capital inside the sentence.
     words = message.strip()[:1] + text[1:]
-    return f"{name[0].upper()}{name[1:]}, {'' if is_own else 'I am to tell you: '}{words}"
+    return f"{name[0].upper()}{name[1:]}, {'' if is_own else 'I was asked to tell you: '}{words}"
 
 
 def told_fact(message: str, now: datetime.datetime, addressee: str = "") -> str:

@@ -45,10 +45,10 @@ def test_told_fact_names_who_is_told(addressee: str, said: str) -> None:
 @pytest.mark.parametrize(
     "message, addressee, said",
     [
-        ("dinner is ready", "Anna", "Anna, I am to tell you: dinner is ready."),
-        ("I am late", "the guests", "Guests, I am to tell you: I am late."),
+        ("dinner is ready", "Anna", "Anna, I was asked to tell you: dinner is ready."),
+        ("I am late", "the guests", "Guests, I was asked to tell you: I am late."),
         ("I see Bob", "me", "I see Bob."),
-        ("Bob has left", "Anna", "Anna, I am to tell you: Bob has left."),
+        ("Bob has left", "Anna", "Anna, I was asked to tell you: Bob has left."),
     ],
 )
 def test_statement_is_told_for_somebody(message: str, addressee: str, said: str) -> None:

@@ -74,7 +74,7 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
                 unheard = self._unheard()
                 self._connect(unheard & before)
             except (*NO_ANSWER, IndexError, TypeError, ValueError) as error:
-                rospy.logdebug("it is not known whom this node does not hear: %s", error)
+                rospy.logdebug("cannot tell which publishers this node misses: %s", error)
             if unheard:
                 self._is_changed.set()
 
@@ -99,7 +99,7 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
         node = xmlrpc.client.ServerProxy(rospy.get_node_uri(), transport=TimedTransport(_ANSWER_TIMEOUT_S))
         for topic in {topic for topic, _ in links}:
             uris = [uri for of_topic, uri in links if of_topic == topic]
-            rospy.loginfo("ROS has missed that %s is published at %s", topic, ", ".join(uris))
+            rospy.loginfo("rospy missed the publisher of %s at %s; connecting", topic, ", ".join(uris))
             node.publisherUpdate(rospy.get_name(), topic, uris)
 
 

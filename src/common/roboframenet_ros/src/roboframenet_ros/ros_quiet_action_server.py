@@ -151,7 +151,7 @@ class QuietActionServer(actionlib.ActionServer):
             if goal.goal_id.id not in self._taken and not is_old(stamp_ns, now_ns):
                 self._taken.add(goal.goal_id.id)
                 return False
-            rospy.logwarn("%s: a goal of before is rejected; a recording repeats it", self.ns)
+            rospy.logwarn("%s: rejected an old goal that a recording repeats", self.ns)
             take, self.goal_callback = self.goal_callback, lambda handle: handle.set_rejected(None, AGAIN)
             try:
                 super().internal_goal_callback(goal)
@@ -207,7 +207,7 @@ class QuietActionServer(actionlib.ActionServer):
             states = [(tracker.status.goal_id.id, tracker.status.status) for tracker in self.status_list]
             orphans = self._orphan_watch.orphans([goal_id for goal_id, state in states if state in _CANCELLABLE])
         for goal_id in orphans:
-            rospy.logwarn("%s: who sent the goal %s is gone; it is cancelled", self.ns, goal_id)
+            rospy.logwarn("%s: the client of goal %s is gone; cancelling it", self.ns, goal_id)
             self.internal_cancel_callback(GoalID(id=goal_id))
 
 

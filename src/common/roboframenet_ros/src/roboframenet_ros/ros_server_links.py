@@ -65,7 +65,7 @@ class ServerLinks:
                 if wanted <= listeners_of(uri, timeout_s=_ANSWER_TIMEOUT_S):
                     break
             except (*NO_ANSWER, IndexError, TypeError) as error:
-                rospy.logdebug("%s does not say who hears it: %s", uri, error)
+                rospy.logdebug("%s does not list its subscribers: %s", uri, error)
             time.sleep(_LINK_LOOK_S)
         if uri == self._asked_uri:
             self._linked_uri = uri

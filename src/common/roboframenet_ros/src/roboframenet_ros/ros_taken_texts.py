@@ -100,14 +100,16 @@ class UntakenWatch:
     def hear(self, text: str, command_id: str = "") -> None:
         """A text was said, or a goal with an id."""
         with self._lock:
-            self._texts.hear(text, command_id)
+            self._texts.hear(text, command_id, ros_s=rospy.Time.now().to_sec())
 
     def hear_reply(self, reply: Reply) -> None:
         """A command was answered: whoever took its text may have been killed before it could tell so."""
         command = reply.command
         if is_spoken(command.id) and not came_by_action(command.id):
             with self._lock:
-                self._texts.hear_taken(Taken(command.id, (rospy.Time.now() - command.stamp).to_sec(), command.text))
+                self._texts.hear_answered(
+                    command.id, command.text, stamp_s=command.stamp.to_sec(), ros_s=rospy.Time.now().to_sec()
+                )
 
     def _hear_taken(self, message: String) -> None:
         try:

@@ -62,6 +62,46 @@ class Taken:
         return cls(command_id, float(age_s), text)
 
 
+class RosTimes:
+    """Tells how long ago a ROS time was. Simulated time may run at another rate, stand still, or be set back.
+
+    Pairs of both times are noted now and then; between two of them the rate counts as even. One thread at a time calls.
+    """
+
+    def __init__(self, *, now: Callable[[], float] = time.monotonic, most: int = 1000) -> None:
+        """
+        Args:
+            now: monotonic clock, seconds
+            most: most pairs that are kept
+        """
+        self._now = now
+        self._pairs: Deque[Tuple[float, float]] = deque(maxlen=most)
+
+    def note(self, ros_s: float) -> None:
+        """It is this ROS time now."""
+        self._pairs.append((ros_s, self._now()))
+
+    def age_s(self, stamp_s: float, *, ros_s: float) -> float:
+        """Return how long ago a ROS time was, monotonic seconds.
+
+        Args:
+            stamp_s: ROS time in the past
+            ros_s: ROS time now
+        """
+        now_s = self._now()
+        pairs = [*self._pairs, (ros_s, now_s)]
+        # From the newest pair back: a clock that was set back has been at this time more than once.
+        for (begin_ros_s, begin_s), (end_ros_s, end_s) in zip(pairs[-2::-1], pairs[:0:-1]):
+            if begin_ros_s <= stamp_s:
+                ran_s = end_ros_s - begin_ros_s
+                share = min(1.0, (stamp_s - begin_ros_s) / ran_s) if ran_s > 0.0 else 0.0
+                return now_s - begin_s - share * (end_s - begin_s)
+        first_ros_s, first_s = pairs[0]
+        ran_s = ros_s - first_ros_s
+        rate = (now_s - first_s) / ran_s if ran_s > 0.0 else 1.0
+        return now_s - first_s + (first_ros_s - stamp_s) * rate
+
+
 class UntakenTexts:
     """Texts, until it is told that they are taken. One thread at a time calls.
 
@@ -78,9 +118,17 @@ class UntakenTexts:
         self._texts: Deque[Said] = deque(maxlen=most)
         self._early: Deque[Said] = deque(maxlen=most)
         self._taken: Deque[str] = deque(maxlen=most)
+        self._ros_times = RosTimes(now=now, most=most)
 
-    def hear(self, text: str, command_id: str = "") -> None:
-        """A text was said, or a goal with an id."""
+    def hear(self, text: str, command_id: str = "", *, ros_s: float) -> None:
+        """A text was said, or a goal with an id.
+
+        Args:
+            text: as it was said
+            command_id: of a goal; empty for a text
+            ros_s: ROS time now
+        """
+        self._ros_times.note(ros_s)
         self._forget()
         if command_id and command_id in self._taken:
             return  # a recording repeats it
@@ -92,7 +140,7 @@ class UntakenTexts:
         self._texts.append(said)
 
     def hear_taken(self, sign: Taken) -> None:
-        """A text was taken, or answered."""
+        """A text was taken."""
         self._forget()
         if sign.command_id in self._taken:
             return
@@ -103,6 +151,17 @@ class UntakenTexts:
             self._texts.remove(min(same, key=lambda said: abs(said.heard_s - taken.heard_s)))
         else:
             self._early.append(taken)
+
+    def hear_answered(self, command_id: str, text: str, *, stamp_s: float, ros_s: float) -> None:
+        """A text was answered, so it was taken.
+
+        Args:
+            command_id: of the command that it has become
+            text: as it was said
+            stamp_s: ROS time when it was heard
+            ros_s: ROS time now
+        """
+        self.hear_taken(Taken(command_id, self._ros_times.age_s(stamp_s, ros_s=ros_s), text))
 
     def take(self, *, before_s: float) -> Tuple[Said, ...]:
         """Remove and return what was said before a time and nobody took, oldest first.

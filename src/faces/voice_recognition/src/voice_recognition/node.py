@@ -3,11 +3,10 @@
 import functools
 import threading
 import time
-from dataclasses import replace
 from typing import Callable, Dict, Optional, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, FrameServers, KnownNames, Lexicon, Reply
+from roboframenet_msgs.msg import Reply
 from std_msgs.msg import Bool, Empty, String
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
@@ -16,7 +15,6 @@ from command_server.emergency_words import is_emergency_stop
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
-from semantic_types import NoWordNet
 from utter.ros_voice import Voice
 from voice_recognition import dialogue
 from voice_recognition.agreement import Heard, Verdict, answer_of
@@ -40,26 +38,22 @@ from voice_recognition.dialogue import (
     Understood,
 )
 from voice_recognition.early_hearing import EarlyHearing
-from voice_recognition.ears import Ears, answers, make_shipped_ears
-from voice_recognition.endpointing import Endpointer, Utterance
-from voice_recognition.live_language import Knowledge, LanguageMaker
-from voice_recognition.microphone import Microphone, arecord_command
+from voice_recognition.ears import Ears, answers
+from voice_recognition.endpointing import Utterance
 from voice_recognition.offers import Offer
 from voice_recognition.recogniser import NoRecogniser, model_dictionary
 from voice_recognition.replies import ReplyEars
+from voice_recognition.ros_listener import Listener
 from voice_recognition.ros_live_speech import LiveSpeechTopics
 from voice_recognition.ros_search_thread import SearchThread
+from voice_recognition.ros_speakable import SpeakableCommands
 from voice_recognition.ros_speaker import Speaker
 from voice_recognition.settings import Settings
 from voice_recognition.spoken_language import Words, spoken_words
-from voice_recognition.spotting import EMERGENCY_TEXT, LONGEST_S, STOP_TEXT, StopSpotter, says_stop
+from voice_recognition.spotting import EMERGENCY_TEXT, STOP_TEXT, says_stop
 
 #: Seconds between two looks at the expiry of a state.
 TICK_S = 0.2
-#: Seconds of quiet on the topics before the searches are made again: servers register one after the other.
-SETTLE_S = 1.0
-#: Seconds before the microphone is tried again.
-RETRY_S = 10.0
 #: Seconds of one sound of another node that keep this node deaf, at most.
 LONGEST_SOUND_S = 60.0
 
@@ -68,8 +62,7 @@ class VoiceRecognition:
     """Hears commands.
 
     Subscribes:
-        lexicon (Lexicon), frame_catalogue (FrameCatalogue), frame_servers (FrameServers),
-        known_names (KnownNames): what can be said;
+        what a :class:`.ros_speakable.SpeakableCommands` does;
         speaking (std_msgs/Bool), said (std_msgs/String): the robot's own voice; reply (Reply); text, voice_answer
         (std_msgs/String): answers by another way; push_to_talk (std_msgs/Empty); LiveSpeech of other voices
     Publishes:
@@ -87,15 +80,10 @@ class VoiceRecognition:
         self._state: dialogue.State = dialogue.begin(self._rules)
         self._speakers: Dict[str, float] = {}
         self._said = ""
-        self._ears: Optional[Ears] = None
         self._early: EarlyHearing[Tuple[dialogue.State, Ears], Heard] = EarlyHearing()
-        self._early_stop: EarlyHearing[None, str] = EarlyHearing()
         self._reply_ears: Optional[ReplyEars] = None
-        self._knowledge = Knowledge()
-        self._changed_at: Optional[float] = None
-        self._maker = LanguageMaker()
-        # A stop is searched for beside the commands: neither waits for the other.
-        self._commands, self._stops = SearchThread("commands"), SearchThread("stops")
+        self._commands = SearchThread("commands")
+        self._speakable = SpeakableCommands(self._commands)
         self._question = rospy.Publisher("voice_question", String, queue_size=1, latch=True)
         self._state_publisher = rospy.Publisher("voice_state", String, queue_size=1, latch=True)
         self._heard = rospy.Publisher("voice_heard", String, queue_size=10)
@@ -104,11 +92,15 @@ class VoiceRecognition:
         self._speaker = Speaker(Voice(is_aloud=settings.aloud, timeout_s=self._rules.deaf_s), self._on_own_speech)
         self._live = LiveSpeechTopics(settings.voice_id, self._on_live_speech)
         self._show()
+        self._listener = Listener(
+            lambda: self._settings,
+            is_robot_speaking=lambda: bool(self._speakers),
+            may_robot_say_stop=lambda: says_stop(self._said),
+            on_stop=self._on_stop,
+            on_pause=self._on_pause,
+            on_utterance=self._on_utterance,
+        )
         self._subscribers = [
-            rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
-            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
-            rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1),
             rospy.Subscriber("speaking", Bool, self._on_speaking, queue_size=10),
             rospy.Subscriber("said", String, self._on_said, queue_size=10),
             rospy.Subscriber("reply", Reply, self._on_reply, queue_size=10),
@@ -118,8 +110,8 @@ class VoiceRecognition:
         ]
         self._service = rospy.Service("listen", Trigger, self._on_listen)
         self._tuned = LiveParameters(settings, self._tune)
-        for run in (self._run_clock, self._run_microphone):
-            threading.Thread(target=run, daemon=True).start()
+        threading.Thread(target=self._run_clock, daemon=True).start()
+        self._listener.start()
         rospy.loginfo("ready: %s", settings)
 
     def _tune(self, settings: Settings) -> None:
@@ -129,46 +121,6 @@ class VoiceRecognition:
             if is_between:
                 self._state = dialogue.begin(self._rules)
                 self._show()
-
-    # --- what can be said
-
-    def _on_lexicon(self, message: Lexicon) -> None:
-        self._know(unit_files=tuple((file.path, file.text) for file in message.files))
-
-    def _on_catalogue(self, message: FrameCatalogue) -> None:
-        self._know(frame_files=tuple((file.path, file.text) for file in message.files))
-
-    def _on_servers(self, message: FrameServers) -> None:
-        self._know(served=frozenset(one.frame_name for one in message.callbacks if one.is_alive))
-
-    def _on_names(self, message: KnownNames) -> None:
-        self._know(names=tuple((known.name, tuple(known.semantic_types)) for known in message.names))
-
-    def _know(self, **changes: object) -> None:
-        with self._lock:
-            knowledge = replace(self._knowledge, **changes)
-            if knowledge != self._knowledge:
-                self._knowledge = knowledge
-                self._changed_at = time.monotonic()
-
-    def _make_ears(self) -> None:
-        with self._lock:
-            knowledge = self._knowledge
-        began = time.monotonic()
-        try:
-            language = self._maker.make(knowledge)
-            ears = make_shipped_ears(language)
-        except (NoRecogniser, NoWordNet) as reason:
-            rospy.logerr("no command can be heard: %s", reason)
-            return
-        with self._lock:
-            self._ears = ears
-        rospy.loginfo(
-            "can hear %d commands, %d words (%.1f s)",
-            len(language.templates),
-            len(language.vocabulary()),
-            time.monotonic() - began,
-        )
 
     # --- events
 
@@ -206,7 +158,7 @@ class VoiceRecognition:
 
     def _on_listen(self, _: TriggerRequest) -> TriggerResponse:
         self._happened(Pushed())
-        is_ready = self._ears is not None
+        is_ready = self._speakable.ears is not None
         return TriggerResponse(success=is_ready, message="" if is_ready else "nothing can be heard yet")
 
     def _answer_in(self, words: Words) -> str:
@@ -280,67 +232,13 @@ class VoiceRecognition:
     def _run_clock(self) -> None:
         while not rospy.is_shutdown():
             time.sleep(TICK_S)
-            with self._lock:
-                is_due = self._changed_at is not None and time.monotonic() - self._changed_at >= SETTLE_S
-                if is_due:
-                    self._changed_at = None
-            if is_due:
-                self._commands.later(self._make_ears)
+            self._speakable.turn()
             self._happened(Tick())
 
-    def _run_microphone(self) -> None:
-        is_said = False
-        while not rospy.is_shutdown():
-            command = self._settings.microphone or arecord_command(self._settings.device)
-            if command is not None and self._listen_to(command):
-                is_said = False
-            elif not is_said:
-                is_said = True
-                rospy.loginfo("no sound comes from a microphone: is there a sound card? Everything else runs")
-            time.sleep(RETRY_S)
+    def _on_stop(self, text: str) -> None:
+        self._happened(Stopped(text == EMERGENCY_TEXT))
 
-    def _listen_to(self, command: Tuple[str, ...]) -> bool:
-        """Listen to a microphone until it ends; return whether it made any sound."""
-        try:
-            spotter = StopSpotter(model_dictionary())
-            microphone = Microphone(command)
-        except (NoRecogniser, OSError) as reason:
-            rospy.logwarn("%s", reason)
-            return False
-        endpointer = Endpointer()
-        has_sound = False
-        try:
-            for part in microphone.parts():
-                if rospy.is_shutdown():
-                    return True
-                if not has_sound:
-                    has_sound = True
-                    rospy.loginfo("listens to %s", command[0])
-                if self._speakers and not says_stop(self._said):
-                    self._stops.later(lambda part=part: self._look_for_stop(spotter, part))
-                for utterance in endpointer.feed(part):
-                    self._on_utterance(spotter, utterance)
-                pause = endpointer.take_pause()
-                if pause is not None:
-                    self._on_pause(spotter, pause)
-        finally:
-            microphone.close()
-        return has_sound
-
-    def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
-        """Look for a stop in the stream while the robot speaks."""
-        if not self._speakers or self._pass_on_stop(spotter.stop_in_stream(part)):
-            spotter.forget_stream()
-
-    def _pass_on_stop(self, text: str) -> bool:
-        """Pass on the stop that was heard, empty for none; returns whether there was one."""
-        if text:
-            self._happened(Stopped(text == EMERGENCY_TEXT))
-        return bool(text)
-
-    def _on_utterance(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        if self._may_be_stop(utterance):
-            self._stops.later(lambda: self._check_for_stop(spotter, utterance))
+    def _on_utterance(self, utterance: Utterance) -> None:
         with self._lock:
             searches = self._searches()
             if searches is None:
@@ -349,24 +247,17 @@ class VoiceRecognition:
         how, hear = searches
         self._commands.later(lambda: self._understand(utterance, how, hear))
 
-    def _on_pause(self, spotter: StopSpotter, utterance: Utterance) -> None:
+    def _on_pause(self, utterance: Utterance) -> None:
         """Begin the searches when an utterance may have ended; what they hear counts if nobody speaks on."""
-        if self._may_be_stop(utterance):
-            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.stop_in))
         with self._lock:
             searches = self._searches()
         if searches is not None:
             how, hear = searches
             self._commands.later(lambda: self._early.listen(utterance, how, hear))
 
-    def _may_be_stop(self, utterance: Utterance) -> bool:
-        """Whether an utterance is short enough for a stop, and not the robot's own."""
-        is_own = bool(self._speakers) and says_stop(self._said)
-        return utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own
-
     def _searches(self) -> Optional[Tuple[Tuple[dialogue.State, Ears], Callable[[bytes], Heard]]]:
         """Return what a sound is heard for now, and the searches; None when nothing but a stop is heard."""
-        ears, state = self._ears, self._state
+        ears, state = self._speakable.ears, self._state
         if ears is None or not dialogue.hears(state):
             return None
         hear = ears.hear_answer if isinstance(state, Confirming) else ears.hear
@@ -374,9 +265,6 @@ class VoiceRecognition:
         if isinstance(state, Replying) and replies is not None:
             hear = functools.partial(replies.hear, commands=ears)
         return (state, ears), hear
-
-    def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        self._pass_on_stop(self._early_stop.heard(utterance, None, spotter.stop_in))
 
     def _understand(
         self, utterance: Utterance, how: Tuple[dialogue.State, Ears], hear: Callable[[bytes], Heard]
@@ -401,7 +289,7 @@ class VoiceRecognition:
             return
         words = spoken_words(sentence)
         with self._lock:
-            ears, state = self._ears, self._state
+            ears, state = self._speakable.ears, self._state
             if not dialogue.hears(state):
                 return
             answer = self._answer_in(words)

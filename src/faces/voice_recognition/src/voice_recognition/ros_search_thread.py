@@ -29,7 +29,7 @@ class SearchThread:
         try:
             self._waiting.put_nowait(search)
         except queue.Full:
-            rospy.logwarn("too much to hear: something is dropped")
+            rospy.logwarn("too much to hear; dropping some")
 
     def _run(self) -> None:
         while not rospy.is_shutdown():

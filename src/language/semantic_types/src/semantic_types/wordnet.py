@@ -1,13 +1,13 @@
 """Reads the nouns or verbs of WordNet 3.0 from its own database files, whose format is described in wndb(5WN).
 
-The files are sorted. They stay on disk and are searched by bisection, so nothing is loaded.
+The files are sorted. They are mapped into memory and searched by bisection, so only the pages that are read are loaded.
 """
 
-import os
+import mmap
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import FrozenSet, Iterator, List, Optional, Tuple
+from typing import FrozenSet, Iterator, List, Optional, Tuple, Union
 
 #: Where Debian's package wordnet-base has the database.
 FOLDER = Path("/usr/share/wordnet")
@@ -167,47 +167,44 @@ class WordNet:
 
 
 class SortedFile:
-    """A file whose lines are sorted by their bytes; it stays open as long as this object lives.
+    """A file whose lines are sorted by their bytes; it stays mapped as long as this object lives.
 
     Raises:
         OSError: the file cannot be read
     """
 
-    #: Bytes of one read; the lines of an index are shorter.
-    _CHUNK = 2048
-
     def __init__(self, path: Path) -> None:
-        self._file = path.open("rb", buffering=0)
-        self._size = os.fstat(self._file.fileno()).st_size
+        with path.open("rb") as file:
+            # An empty file cannot be mapped.
+            is_empty = not file.read(1)
+            self._text: Union[bytes, mmap.mmap] = (
+                b"" if is_empty else mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+            )
 
     def line_at(self, offset: int) -> str:
         """Return the line that begins at an offset."""
-        found = b""
-        while b"\n" not in found and offset + len(found) < self._size:
-            found += os.pread(self._file.fileno(), self._CHUNK, offset + len(found))
-        return found.partition(b"\n")[0].decode("ascii")
+        return self._text[offset : self._end_of(offset)].decode("ascii")
 
     def line_of(self, key: str) -> Optional[str]:
         """Return the line that begins with a key and a blank; None if there is none."""
-        wanted = f"{key} "
-        first, last = 0, self._size
+        wanted = f"{key} ".encode()
+        first, last = 0, len(self._text)
+        # The line begins at first or later, and before last.
         while first < last:
-            middle = (first + last) // 2
-            begin = self._begin_after(middle) if middle > first else first
-            line = self.line_at(begin) if begin < last else ""
-            if line.startswith(wanted):
-                return line
-            if line and line < wanted:
-                first = begin + len(line) + 1
-            elif middle > first:
-                last = middle
+            begin = self._text.rfind(b"\n", first, (first + last) // 2) + 1 or first
+            end = self._end_of(begin)
+            found = self._text[begin : min(end, begin + len(wanted))]
+            if found == wanted:
+                return self._text[begin:end].decode("ascii")
+            if found < wanted:
+                first = end + 1
             else:
-                break
+                last = begin
         return None
 
-    def _begin_after(self, offset: int) -> int:
-        """Return where the first line begins that does not begin before an offset."""
-        return offset + len(self.line_at(offset - 1).encode("ascii")) if offset else 0
+    def _end_of(self, offset: int) -> int:
+        end = self._text.find(b"\n", offset)
+        return end if end >= 0 else len(self._text)
 
 
 @lru_cache(maxsize=None)

@@ -260,7 +260,7 @@ class ExperienceNode:
         )
         answer = TEACHING[frame.name](asked)
         self._is_new |= answer.is_change
-        return answer.sentence if self._is_stored(answer) else f"{answer.sentence} But I cannot write it down."
+        return answer.sentence if self._is_stored(answer) else f"{answer.sentence} But I could not save it."
 
     def _is_stored(self, answer: Answer) -> bool:
         self._write()

@@ -112,7 +112,7 @@ class FleetMemberNode:
             # A goal right behind a stop would end with it.
             self._home_s = time.monotonic() + self._settings.home_delay_s
         else:
-            rospy.logwarn("%s hears the language service no more: %s", self._robot, self._settings.on_loss.value)
+            rospy.logwarn("%s lost the language service: %s", self._robot, self._settings.on_loss.value)
 
     def _go_home(self) -> None:
         assert self._home is not None

@@ -247,7 +247,7 @@ class StandingOrdersNode:
             return
         elif not self._apply(self._book.give(order)):
             self._apply(self._book.drop((order.order_id,)), must_be_stored=False)
-            sentence = "I cannot write the standing order down, so I do not keep it."
+            sentence = "I could not save the standing order, so I do not keep it."
             self._stage.ends(command, outcome=Reply.FAILED, code="STAGE_ERROR", sentence=sentence)
             return
         rest = ' It is suspended since you stopped me; say "go on".' if order.is_suspended else ""
@@ -375,8 +375,8 @@ class StandingOrdersNode:
             if not suspended:
                 return "No standing order is suspended."
             if not self._apply(self._book.resume(time.time())):
-                return "I cannot write that down, so my standing orders stay suspended."
-            return " ".join(["I wait again.", *(order.sentence for order in self._book.orders)])
+                return "I could not save that, so my standing orders stay suspended."
+            return " ".join(["I am waiting again.", *(order.sentence for order in self._book.orders)])
         if frame.name == FORGETTING:
             phrase = frame["theme"].words or frame["theme"].text  # "Every order", and not "order".
             found = orders_meant(phrase, orders)
@@ -385,7 +385,7 @@ class StandingOrdersNode:
             if len(found) > 1 and len(found) < len(orders):
                 return " ".join(["Which one?", *(order.sentence for order in found)])
             if not self._apply(self._book.drop(tuple(order.order_id for order in found))):
-                return "I cannot write that down, so I keep the standing order."
+                return "I could not save that, so the order stays."
             return (
                 f'I forget "{found[0].text.rstrip(" .!")}".'
                 if len(found) == 1

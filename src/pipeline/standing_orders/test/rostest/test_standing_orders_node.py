@@ -205,7 +205,7 @@ class StandingOrdersTest(unittest.TestCase):
             time.sleep(0.5)
         self.assertEqual((len(self.pings), self.states()), (6, ["suspended"]))
         self.assertIn("suspended since you stopped me", self.ask("question_of_standing_orders"))
-        self.assertEqual(self.ask("resuming_orders"), "I wait again. I will ping whenever the bell rings.")
+        self.assertEqual(self.ask("resuming_orders"), "I am waiting again. I will ping whenever the bell rings.")
         wait_until(lambda: self.states() == ["waits"])
         self.ring(pings=7)
         self.new_replies()

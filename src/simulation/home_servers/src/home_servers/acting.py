@@ -44,7 +44,7 @@ class Acting:
             CannotDo: with the sentence of the failure that remains
         """
         if self._depth > _DEEPEST:
-            raise CannotDo("I do not get any further.")
+            raise CannotDo("I am stuck.")
         self._depth += 1
         try:
             self._attempt(Action(kind, avoided=self.avoided if kind == "go" else "", **values))  # type: ignore[arg-type]

@@ -220,7 +220,7 @@ def be_in_category(skills: Skills, frame: FilledFrame) -> None:
     """
     item, category = argument(frame, "item"), argument(frame, "category")
     if item.text.lower() in SPEAKERS or item.text.lower() in HEARERS:
-        raise CannotDo("I remember such things of places and things only.")
+        raise CannotDo("I can remember that only about places and things.")
     found = skills.memory.find(item)
     if not found:
         raise CannotDo(f"I have not seen {item.text}.")

@@ -56,7 +56,7 @@ def tell(skills: Skills, frame: FilledFrame) -> None:
     is_asked_by_them = not whom.text or whom.text.lower() in SPEAKERS
     # "I" in what somebody said is not the robot.
     is_of_speaker = message.source is Source.SAID and not _OF_SPEAKER.isdisjoint(message.text.lower().split())
-    opening = "I am to tell you: " if is_of_speaker and not is_asked_by_them else ""
+    opening = "I was asked to tell you: " if is_of_speaker and not is_asked_by_them else ""
     if is_whole(whom):
         _tell_each(skills, whom, text, opening)
         return

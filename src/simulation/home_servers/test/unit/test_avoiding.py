@@ -1,20 +1,16 @@
 """Rooms and doors that the robot keeps out of on its way."""
 
-import os
-
 import pytest
 from direct_body import DirectBody
+from shared_home import make_home
 
 from home_servers.body import CannotDo
 from home_servers.going import navigate
 from home_servers.skills import Skills
 from roboframenet_sim.base import Pose
-from roboframenet_sim.home_engine import Home
-from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import ROBOT
 from typed_arguments import FilledFrame, TypedArgument
 
-HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
 #: In the living room, nearer to the way through the hall than to the passage.
 AT_THE_DOOR = (7.55, 6.35)
 
@@ -35,9 +31,7 @@ class Watched(DirectBody):
 
 
 def make(begin):
-    plan, state = load_home_file(HOME_FILE)
-    pose = Pose(*begin)
-    home = Home(plan, state.with_robot(pose=pose))
+    home = make_home(robot_state={"pose": Pose(*begin)})
     body = Watched(home)
     return home, body, Skills(body, speaker="alice")
 

@@ -1,22 +1,17 @@
 """What the robot makes sure of and checks: denials, opposites and places."""
 
-import os
 from contextlib import nullcontext
 from dataclasses import replace
 
 import pytest
 from direct_body import DirectBody
+from shared_home import make_home
 
 from home_servers.body import CannotDo
 from home_servers.checking import inspect, statements, verify
 from home_servers.skills import Skills
-from roboframenet_sim.home_engine import Home
-from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_truth import truth_of
 from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
-
-HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
-
 
 PLACE, STATE = "condition_of_place", "condition_of_state"
 
@@ -50,8 +45,7 @@ def test_only_states_and_places_are_checked():
 
 
 def body_with(**changes):
-    plan, state = load_home_file(HOME_FILE)
-    home = Home(plan, state)
+    home = make_home()
     home.change(reason="test", **changes)
     return home, DirectBody(home, most_s=900.0)
 

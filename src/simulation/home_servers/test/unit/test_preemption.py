@@ -6,13 +6,12 @@ import pytest
 from direct_body import DirectBody
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from test_skills import HOME_FILE, phrase
+from shared_home import make_home
+from test_skills import phrase
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.frames import FRAMES
 from home_servers.skills import Skills
-from roboframenet_sim.home_engine import Home
-from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import ROBOT, Faults
 from typed_arguments import FilledFrame
 
@@ -58,8 +57,7 @@ def check(home):
 @settings(max_examples=6, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(command=COMMANDS, most_s=st.floats(0.5, 150.0))
 def test_preempted_skills_leave_a_consistent_home(slip, command, most_s):
-    plan, state = load_home_file(HOME_FILE)
-    home = Home(plan, state, seed=1, faults=Faults(slip=slip, blocked_door=slip))
+    home = make_home(seed=1, faults=Faults(slip=slip, blocked_door=slip))
     with contextlib.suppress(CannotDo, Interrupted):
         FRAMES[command[0]](Skills(DirectBody(home, most_s=most_s), speaker="alice"), filled(command))
     check(home)

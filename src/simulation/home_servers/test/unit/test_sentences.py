@@ -141,7 +141,7 @@ def test_what_is_found_out_is_in_the_reply(pipeline, text, answer):
 @pytest.mark.parametrize(
     "text, heard",
     [
-        ("Tell Bob that I am late.", "Bob, I am to tell you: I am late."),
+        ("Tell Bob that I am late.", "Bob, I was asked to tell you: I am late."),
         ("Tell Bob that dinner is ready.", "Bob, dinner is ready."),
         ("Tell Bob your name.", "Bob, I am the robot of this home."),
     ],

@@ -1,27 +1,21 @@
 """Finding what words mean, looking for it, and putting right what fails."""
 
-import os
-
 import pytest
 from direct_body import DirectBody
+from shared_home import make_home
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.going import follow, move_along
 from home_servers.handling import put
 from home_servers.memory import Known, Memory
 from home_servers.skills import Skills
-from roboframenet_sim.home_engine import Home
-from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
 from roboframenet_sim.home_truth import truth_of
 from typed_arguments import EmbeddedFrame, FilledFrame, Modifier, TypedArgument
 
-HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
-
 
 def make(*, robot=PR2, faults=NO_FAULTS, seed=0, most_s=900.0):
-    plan, state = load_home_file(HOME_FILE, robot=robot)
-    home = Home(plan, state, seed=seed, faults=faults)
+    home = make_home(robot=robot, seed=seed, faults=faults)
     body = DirectBody(home, most_s=most_s)
     return home, body, Skills(body, speaker="alice")
 

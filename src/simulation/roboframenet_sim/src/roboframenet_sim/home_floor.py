@@ -2,11 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, FrozenSet, Iterable, List, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
-from roboframenet_sim.home_state import ROBOT, Entity, Plan, Point, State
+from roboframenet_sim.home_state import ROBOT, Entity, Plan, Point, State, Value
 from roboframenet_sim.occupancy_grid import OccupancyGrid, grid_of_room
 from roboframenet_sim.planner import NoPath, nearest_free_cell, plan
 from roboframenet_sim.room import Box, Room
@@ -91,22 +91,6 @@ def _crosses(begin: Point, end: Point, walls: "NDArray[np.float64]") -> bool:
     return bool(np.any((np.abs(cross) > 1e-12) & (along > 1e-6) & (along < 1 - 1e-6) & (on_wall >= 0) & (on_wall <= 1)))
 
 
-def _parts_of(grid: OccupancyGrid) -> "NDArray[np.int64]":
-    """Return the number of the connected part of each free cell; 0 for taken cells."""
-    parts = np.zeros(grid.is_taken.shape, dtype=np.int64)
-    for row, column in zip(*np.nonzero(~grid.is_taken)):
-        if parts[row, column]:
-            continue
-        number = int(parts.max()) + 1
-        todo = [(int(row), int(column))]
-        while todo:
-            cell = todo.pop()
-            if grid.is_cell_free(cell) and not parts[cell]:
-                parts[cell] = number
-                todo += [(cell[0] + down, cell[1] + right) for down, right in ((1, 0), (-1, 0), (0, 1), (0, -1))]
-    return parts
-
-
 class Floor:
     """The geometry of a plan, with what is worked out of it once.
 
@@ -122,24 +106,32 @@ class Floor:
         self._walls = walls_of(plan)
         self._grids: Dict[Tuple[FrozenSet[str], float], OccupancyGrid] = {}
         self._sights: Dict[FrozenSet[str], NDArray[np.float64]] = {}
-        self._parts: Dict[Tuple[FrozenSet[str], float], NDArray[np.int64]] = {}
         self._doors = tuple(door for door in plan.of_kind("door") if "open" not in door.traits)
-        self._tall = {
-            entity.id: np.array(
-                [
+        self._closed: Tuple[Optional[Mapping[str, Mapping[str, Value]]], FrozenSet[str]] = (None, frozenset())
+        tall = [entity for entity in plan.of_kind("furniture") if entity.is_tall]
+        #: The diagonals of tall furniture, two a piece, and whose they are.
+        self._tall_ids = tuple(entity.id for entity in tall for _ in range(2))
+        self._tall = np.array(
+            [
+                diagonal
+                for entity in tall
+                for diagonal in (
                     (entity.x_m[0], entity.y_m[0], entity.x_m[1], entity.y_m[1]),
                     (entity.x_m[0], entity.y_m[1], entity.x_m[1], entity.y_m[0]),
-                ]
-            )
-            for entity in plan.of_kind("furniture")
-            if entity.is_tall
-        }
+                )
+            ]
+        ).reshape(-1, 4)
 
     def closed_doors(self, state: State) -> FrozenSet[str]:
         """Return the ids of the doors that nobody gets through."""
-        return frozenset(
-            door.id for door in self._doors if not state.is_(door.id, "is_open") or state.is_(door.id, "is_blocked")
-        )
+        # Each step of the simulation asks, and the properties of a state never change.
+        properties, closed = self._closed
+        if state.properties is not properties:
+            closed = frozenset(
+                door.id for door in self._doors if not state.is_(door.id, "is_open") or state.is_(door.id, "is_blocked")
+            )
+            self._closed = state.properties, closed
+        return closed
 
     def grid(self, closed: FrozenSet[str], radius_m: float) -> OccupancyGrid:
         """Return the floor that a round robot or person can use."""
@@ -290,17 +282,11 @@ class Floor:
         """Return the cells to which a way leads when these doors are closed."""
         radius_m = PERSON_RADIUS_M if is_person else self._plan.robot.radius_m
         grid = self.grid(closed, radius_m)
-        key = (closed, radius_m)
-        if key not in self._parts:
-            if len(self._parts) >= _MOST_GRIDS:
-                self._parts.pop(next(iter(self._parts)))
-            self._parts[key] = _parts_of(grid)
         try:
             cell = nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=ESCAPE_M)
         except NoPath:
             return np.asarray(~grid.is_taken)
-        parts = self._parts[key]
-        return np.asarray(parts == parts[cell])
+        return np.asarray(grid.parts == grid.parts[cell])
 
     @staticmethod
     def _best(x: "NDArray[np.float64]", y: "NDArray[np.float64]", cost: "NDArray[np.float64]", entity: Entity) -> Point:
@@ -357,7 +343,10 @@ class Floor:
         """
         if _crosses(begin, end, self._walls_seen(self.closed_doors(state))):
             return False
-        return not any(_crosses(begin, end, sides) for ident, sides in self._tall.items() if ident not in but)
+        tall = self._tall
+        if any(ident in but for ident in self._tall_ids):
+            tall = tall[[ident not in but for ident in self._tall_ids]]
+        return not _crosses(begin, end, tall)
 
     def visible(self, state: State, *, eyes: str = ROBOT) -> Tuple[str, ...]:
         """Return the ids of what the robot, or a person, sees now.

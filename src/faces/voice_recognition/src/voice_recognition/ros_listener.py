@@ -1,0 +1,118 @@
+"""Listens to the microphone: divides its sound into utterances, and finds the stops in it."""
+
+import threading
+import time
+from typing import Callable, Optional, Tuple
+
+import rospy
+
+from voice_recognition.early_hearing import EarlyHearing
+from voice_recognition.endpointing import Endpointer, Utterance
+from voice_recognition.microphone import Microphone, arecord_command
+from voice_recognition.recogniser import NoRecogniser, model_dictionary
+from voice_recognition.ros_search_thread import SearchThread
+from voice_recognition.settings import Settings
+from voice_recognition.spotting import LONGEST_S, StopSpotter
+
+#: Seconds before the microphone is tried again.
+RETRY_S = 10.0
+
+
+class Listener:
+    """Owns the thread of the microphone, and the one that searches for stops: neither waits for the commands."""
+
+    def __init__(
+        self,
+        settings: Callable[[], Settings],
+        *,
+        is_robot_speaking: Callable[[], bool],
+        may_robot_say_stop: Callable[[], bool],
+        on_stop: Callable[[str], None],
+        on_pause: Callable[[Utterance], None],
+        on_utterance: Callable[[Utterance], None],
+    ) -> None:
+        """
+        Args:
+            settings: returns which microphone to listen to
+            is_robot_speaking: whether the robot speaks now; then stops are searched for in the stream
+            may_robot_say_stop: whether what the robot says now has a stop in it, which must not stop it
+            on_stop: called with a stop that was heard
+            on_pause: called when an utterance may have ended
+            on_utterance: called when it has
+        """
+        self._settings = settings
+        self._is_robot_speaking, self._may_robot_say_stop = is_robot_speaking, may_robot_say_stop
+        self._on_stop, self._on_pause, self._on_utterance = on_stop, on_pause, on_utterance
+        self._stops = SearchThread("stops")
+        self._early_stop: EarlyHearing[None, str] = EarlyHearing()
+
+    def start(self) -> None:
+        """Listen from now on."""
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def _run(self) -> None:
+        is_said = False
+        while not rospy.is_shutdown():
+            settings = self._settings()
+            command = settings.microphone or arecord_command(settings.device)
+            if command is not None and self._listen_to(command):
+                is_said = False
+            elif not is_said:
+                is_said = True
+                rospy.loginfo("no microphone input (sound card?); running without voice")
+            time.sleep(RETRY_S)
+
+    def _listen_to(self, command: Tuple[str, ...]) -> bool:
+        """Listen to a microphone until it ends; return whether it made any sound."""
+        try:
+            spotter = StopSpotter(model_dictionary())
+            microphone = Microphone(command)
+        except (NoRecogniser, OSError) as reason:
+            rospy.logwarn("%s", reason)
+            return False
+        endpointer = Endpointer()
+        has_sound = False
+        try:
+            for part in microphone.parts():
+                if rospy.is_shutdown():
+                    return True
+                if not has_sound:
+                    has_sound = True
+                    rospy.loginfo("listening to %s", command[0])
+                if self._is_robot_speaking() and not self._may_robot_say_stop():
+                    self._stops.later(lambda part=part: self._look_for_stop(spotter, part))
+                for utterance in endpointer.feed(part):
+                    if self._may_be_stop(utterance):
+                        self._stops.later(lambda utterance=utterance: self._check_for_stop(spotter, utterance))
+                    self._on_utterance(utterance)
+                pause = endpointer.take_pause()
+                if pause is not None:
+                    self._search_early(spotter, pause)
+                    self._on_pause(pause)
+        finally:
+            microphone.close()
+        return has_sound
+
+    def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
+        """Look for a stop in the stream while the robot speaks."""
+        if not self._is_robot_speaking() or self._pass_on_stop(spotter.stop_in_stream(part)):
+            spotter.forget_stream()
+
+    def _search_early(self, spotter: StopSpotter, utterance: Utterance) -> None:
+        """Look for a stop in what may be a whole utterance; it counts if nobody speaks on."""
+        if self._may_be_stop(utterance):
+            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.stop_in))
+
+    def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
+        self._pass_on_stop(self._early_stop.heard(utterance, None, spotter.stop_in))
+
+    def _pass_on_stop(self, text: Optional[str]) -> bool:
+        """Pass on the stop that was heard, empty for none; returns whether there was one."""
+        if text:
+            self._on_stop(text)
+        return bool(text)
+
+    def _may_be_stop(self, utterance: Utterance) -> bool:
+        """Whether an utterance is short enough for a stop, and not the robot's own."""
+        is_own = self._is_robot_speaking() and self._may_robot_say_stop()
+        return utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own
