@@ -18,7 +18,6 @@ from semantic_framer.linking.clause_links import answers_a_question, asks_whethe
 from semantic_framer.linking.joints import Joints
 from semantic_framer.linking.mixed_lists import are_handled_apart, with_items_apart
 from semantic_framer.linking.news import told_when, with_end_told
-from semantic_framer.queries.deed_questions import is_told_to_speaker
 from semantic_framer.queries.questions import remark_readings
 from semantic_framer.referring.whose_deed import whose_deed
 from semantic_framer.referring.world_attachment import attached_by_world, is_better, question_of_goal
@@ -246,22 +245,14 @@ class _Utterance:
             # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
-            return self._question_or_command(meant, context)
+            return self._attached_by_world(meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         heard = self._answered(meant, pending, context)
         if heard is not None:
             return heard
-        return self._with_open(pending, meant, self._question_or_command(meant, context))
-
-    def _question_or_command(self, meant: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is no answer: "tell me whether you closed the door" asks, and tells nobody."""
-        if meant.unquoted is not None and is_told_to_speaker(meant, self._now.known):
-            asked = embedded_question(meant.unquoted, context, self._now)
-            if asked is not None:
-                return asked
-        return self._attached_by_world(meant, context)
+        return self._with_open(pending, meant, self._attached_by_world(meant, context))
 
     def _with_open(self, pending: Pending, meant: Sentence, heard: Heard) -> Heard:
         """Keep a question open beside which only something else was said: talk, a question, or what is not understood.
@@ -365,6 +356,9 @@ class _Utterance:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
         if told := remark_readings(sentence, self._now.known, self._trace):
             return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
+        asked = embedded_question(sentence, context, self._now)
+        if asked is not None:
+            return asked
         behind_question = self._continuing_question(sentence, context)
         if behind_question is not None:
             return behind_question

@@ -62,16 +62,15 @@ def state_condition(
         return None
     for unit in known.lexicon.asking_units(clause.frame):
         frame = known.frames.get(unit.frame_name)
-        names = [unit.values.get(name, name) for name in clause.elements]
-        if frame is None or not frame.is_condition or any(frame.element(name) is None for name in names):
+        filled = clause.elements
+        if frame is None or not frame.is_condition or any(frame.element(name) is None for name in filled):
             continue
-        filled = {unit.values.get(name, name): where for name, where in clause.elements.items()}
         arguments = tuple(
             _usual(argument_of(sentence, element.name, filled[element.name]))
             for element in frame.frame_elements
             if element.name in filled
         )
-        own = tuple(sorted(words.difference(*clause.elements.values())))
+        own = tuple(sorted(words.difference(*filled.values())))
         if all(element.name in filled for element in frame.frame_elements if element.is_core):
             return Reading(unit, clause.frame, own, arguments, (), (), 1.0)
     return None

@@ -4,75 +4,50 @@
 element of that frame.
 """
 
-from dataclasses import dataclass
-from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
+from typing import FrozenSet, List, Optional
 
-from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, children_of_clause
+from semantic_framer.clauses.state_phrases import (
+    BELONGING,
+    COLOURED,
+    COUNT,
+    EXISTING,
+    FOREMOST,
+    HAVING,
+    IN_STATE,
+    LOCATED,
+    PERSON,
+    PRESENT,
+    THING,
+    WHETHER,
+    StateClause,
+    StatePhrases,
+)
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
-#: The frames of states.
-LOCATED, PRESENT, IN_STATE, EXISTING = "being_located", "being_present", "being_in_state", "existing"
-HAVING, HOLDING, BELONGING = "having", "holding", "belonging"
-COLOURED, FOREMOST, PERCEIVED = "being_coloured", "being_foremost", "being_perceived"
-#: What may be asked for beside an element.
-WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
 _HEARERS = word_class("hearers")
 _US = word_class("hearers") | word_class("speaker_subjects")
 _PERSON_NOUNS = word_class("general_person_nouns")
-_THINGS_ASKED = frozenset(["anything", "something"])
-_WHO = frozenset(["who", "whom"])
-_WHICH = frozenset(["which", "what"])
-_WHERE = frozenset(["where", "whereabouts"])
-_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
-_PLACE_NOUNS = frozenset(["room", "place"])
-_HERE = frozenset("here there home upstairs downstairs outside inside nearby around present back close near".split())
+_THINGS_ASKED = word_class("things_asked")
+_WHO = word_class("persons_asked")
+_WHICH = word_class("words_that_ask_which") - _WHO
+_WHERE = word_class("words_that_ask_where")
+_WHOSE = "whose"
+_NUMBER, _OWN, _BELONG = "number", "own", "belong"
+_PLACE_NOUNS = word_class("general_place_nouns")
+_HERE = word_class("places_without_names")
 _STATES = word_class("state_particles")
 _POSTURES = word_class("posture_verbs")
-_KEPT = frozenset(["turn", "switch", "leave", "keep", "set"])
-_COLOURS = frozenset(["colour", "color"])
-_HELD = frozenset(["hold", "carry"])
-_HANDS = frozenset(["hand", "arm", "gripper"])
-_SEEN = frozenset(["see", "notice", "spot"])
-_KNOWN = frozenset(["know"])
-_FOUND = frozenset(["find", "put", "leave", "drop"])
-_GONE = frozenset(["go", "get", "end"])
-_LEFT = frozenset(
-    [
-        "left",
-        "last",
-        "anywhere",
-        "somewhere",
-        "around",
-        "still",
-        "already",
-        "yet",
-        "now",
-        "currently",
-        "at",
-        "all",
-        "else",
-        "not",
-    ]
-)
-_FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
-Positions = Tuple[int, ...]
-
-
-@dataclass(frozen=True)
-class StateClause:
-    """What a clause says of a state.
-
-    Attributes:
-        frame: of the state
-        asked: what is asked for: whether, an element, a thing, a person, or a count
-        elements: the positions of the words of each element that is named
-    """
-
-    frame: str
-    asked: str
-    elements: Mapping[str, Positions]
+_KEPT = word_class("verbs_of_keeping_states")
+_COLOURS = word_class("colour_nouns")
+_HELD = word_class("verbs_of_holding")
+_HANDS = word_class("hand_nouns")
+_SEEN = word_class("verbs_of_seeing")
+_KNOWN = "know"
+_FOUND = word_class("verbs_of_finding_places")
+_GONE = word_class("verbs_of_getting_somewhere")
 
 
 def state_clause(
@@ -86,153 +61,24 @@ def state_clause(
         words: positions of the words that count
         is_asked: whether somebody asks it; a condition also says where "you" are, and that "somebody" is there
     """
-    return _Clause(sentence, features, words, is_asked).read()
+    for kind in (_OfBe, _OfVerb):
+        reader = kind(sentence, features, words, is_asked)
+        found = reader.read()
+        if found is not None:
+            # "How tall is the ball" asks for what no element of a state holds.
+            is_lost = bool(features.asked) and found.asked == WHETHER
+            return found if not is_lost and reader.has_all_words(found) else None
+    return None
 
 
-class _Clause:
-    def __init__(self, sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int], is_asked: bool) -> None:
-        self._sentence = sentence
-        self._is_asked = is_asked
-        self._words = words
-        self._features = features
-        self._top = sentence.word(features.top)
-        self._children = children_of_clause(sentence.tree, features.top)
-        #: Words that only ask: "anything".
-        self._asking: FrozenSet[int] = frozenset()
-        self._subject = next((child for child in self._children if child.deprel.startswith("nsubj")), None)
-        self._lemma = self._top.lemma.lower()
-        # Only a question about the robot or its speaker is no question about a thing.
-        self._no_themes = word_class("demonstrative_pronouns") | _US if is_asked else frozenset(["this", "that"])
-        self._is_predicate = any(child.deprel == "cop" for child in self._children)
+class _OfBe(StatePhrases):
+    """Reads "be" with what it says of its subject, and "the colour of the mug", which says it of none."""
 
     def read(self) -> Optional[StateClause]:
-        """Return what the clause says."""
+        """Return what the clause says; None if its verb is another."""
         if self._subject is None:
             return self._of_phrase()
-        if self._features.modal and self._lemma not in _SEEN | _FOUND:
-            return None
-        for reading in (self._of_be, self._of_verb):
-            found = reading()
-            if found is not None:
-                # "How tall is the ball" asks for what no element of a state holds.
-                is_lost = bool(self._features.asked) and found.asked == WHETHER
-                return found if not is_lost and self._has_all_words(found) else None
-        return None
-
-    def _of_phrase(self) -> Optional[StateClause]:
-        """Read "the colour of the mug", which asks for it where something is asked for."""
-        owner = next((child for child in self._children if child.deprel == "nmod"), None)
-        if self._lemma not in _COLOURS or owner is None:
-            return None
-        return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
-
-    # --- words
-
-    def _cases(self, word: Word) -> FrozenSet[int]:
-        return frozenset(child.index for child in self._sentence.children(word.index) if child.deprel == "case")
-
-    def _phrase(self, word: Word, without: FrozenSet[int] = frozenset()) -> Positions:
-        """Return a phrase without what only asks: "which", "how many"."""
-        lost = [c for c in self._sentence.children(word.index) if c.deprel == "cop" or c.deprel.startswith("nsubj")]
-        inside = self._sentence.subtree(word.index).difference(
-            without, *(self._sentence.subtree(c.index) for c in lost)
-        )
-        asking = frozenset(
-            index
-            for child in self._sentence.children(word.index)
-            for index in self._sentence.subtree(child.index)
-            if child.deprel in ("det", "amod", "advmod", "case")
-            if self._features.asked in self._sentence.subtree(child.index) and child.index != word.index
-        )
-        words = sorted((inside - asking) & self._words)
-        return tuple(index for index in words if self._sentence.word(index).upos != "PUNCT")
-
-    def _place_of(self, word: Word) -> Optional[Word]:
-        """Return the first phrase of place that a word governs."""
-        children = self._sentence.children(word.index)
-        return next((child for child in children if child.index in self._words and self._is_place(child)), None)
-
-    def _is_place(self, word: Word) -> bool:
-        cases = [child.form.lower() for child in self._sentence.children(word.index) if child.deprel == "case"]
-        if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
-            return False
-        is_left = word.form.lower() in _LEFT and word.index != self._top.index
-        if is_left or any(word.index in time for time in self._sentence.tree.times):
-            return False
-        if self._sentence.types.likeliest(word.index) == "Time":
-            return False  # "at the moment"
-        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in _HERE
-
-    def _asked_of(self, word: Word) -> str:
-        """Return what a phrase asks for; empty if it asks for nothing."""
-        form = word.form.lower()
-        asked = self._sentence.word(self._features.asked) if self._features.asked else None
-        if form in _WHO:
-            return PERSON
-        inside = self._sentence.subtree(word.index)
-        if word.index == self._top.index and self._subject is not None:
-            inside = inside - self._sentence.subtree(self._subject.index)
-        if asked is None or asked.index not in inside:
-            return ""
-        if asked.form.lower() == "how":
-            is_count = any(child.lemma.lower() == "many" for child in self._sentence.children(word.index))
-            return COUNT if is_count else ""
-        return THING if asked.form.lower() in _WHICH else ""
-
-    def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
-        """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
-        asks = self._asked_of(word)
-        form = word.form.lower()
-        if asks and form in _WHO | _WHICH:
-            inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
-            return {} if inner is None else {"theme": self._bare(inner)}
-        place = self._place_of(word) if asks else None
-        outside = self._sentence.subtree(place.index) if place is not None else frozenset()
-        found = {"theme": self._phrase(word, without | outside)}
-        if place is not None:
-            found["location"] = self._phrase(place)
-        return found
-
-    def _bare(self, word: Word) -> Positions:
-        """Return the noun of "which *of the bottles*", without its preposition and its article."""
-        left = [child.index for child in self._sentence.children(word.index) if child.deprel in ("case", "det")]
-        return tuple(index for index in self._phrase(word) if index not in left)
-
-    def _with_alternative(self, words: Dict[str, Positions], name: str, word: Word) -> Dict[str, Positions]:
-        """Return an element, and the alternative to it: "on the table *or in the sink*"."""
-        children = self._sentence.children(word.index)
-        other = next((child for child in children if child.deprel == "conj" and child.index in self._words), None)
-        outside = frozenset() if other is None else self._sentence.subtree(other.index)
-        found = {**words, name: self._phrase(word, outside | self._own(word))}
-        if other is not None and other.form.lower() != "not":
-            joints = frozenset(c.index for c in self._sentence.children(other.index) if c.deprel == "cc")
-            found["alternative"] = self._phrase(other, joints)
-        return found
-
-    def _own(self, word: Word) -> FrozenSet[int]:
-        """Return the words that a predicate governs as a clause, and that are no part of its phrase."""
-        if word.index != self._top.index:
-            return frozenset()
-        clause = [
-            child
-            for child in self._children
-            if child.deprel.split(":")[0] in _FUNCTION | {"nsubj", "advmod", "obl", "parataxis", "advcl"}
-        ]
-        return frozenset().union(*(self._sentence.subtree(child.index) for child in clause))
-
-    def _has_all_words(self, clause: StateClause) -> bool:
-        said = self._asking.union(*clause.elements.values())
-        padding = frozenset(index for time in self._sentence.tree.times for index in time)
-        for index in (self._sentence.subtree(self._top.index) & self._words) - said - padding:
-            word = self._sentence.word(index)
-            is_small = word.deprel.split(":")[0] in _FUNCTION | {"det", "case"} or word.form.lower() in _LEFT
-            is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in ("many", "be")
-            is_time = self._sentence.types.likeliest(index) == "Time"
-            if not is_small and not is_own and not is_time and word is not self._subject:
-                return False
-        return True
-
-    # --- "be"
+        return None if self._features.modal else self._of_be()
 
     def _of_be(self) -> Optional[StateClause]:
         assert self._subject is not None
@@ -261,21 +107,17 @@ class _Clause:
             return StateClause(EXISTING, asked or WHETHER, theme) if theme else None
         return self._located(subject, place)
 
-    def _left(self, word: Word) -> FrozenSet[int]:
-        """Return the words of "any milk *left*"."""
-        return frozenset(child.index for child in self._sentence.children(word.index) if child.form.lower() == "left")
-
     def _of_predicate(self, subject: Word) -> Optional[StateClause]:
         top, form = self._top, self._top.form.lower()
         if form in _WHERE:
             return self._where(subject)
         if form in _WHO and subject.form.lower() in _HERE:
             return StateClause(LOCATED, PERSON, {"location": (subject.index,)})
-        owner = next((child for child in self._children if child.form.lower() == "whose"), None)
+        owner = next((child for child in self._children if child.form.lower() == _WHOSE), None)
         if owner is not None:
             self._asking = frozenset([owner.index])
             return StateClause(BELONGING, "owner", {"theme": self._phrase(top, self._asking | self._own(top))})
-        if form == "whose":
+        if form == _WHOSE:
             return StateClause(BELONGING, "owner", {"theme": self._phrase(subject)})
         if self._lemma in _COLOURS and self._asked_of(top):
             return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
@@ -313,11 +155,11 @@ class _Clause:
         owner = next((child for child in children if child.deprel.startswith("nmod")), None)
         if subject.lemma.lower() in _COLOURS and owner is not None:
             return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
-        if subject.lemma.lower() == "number" and owner is not None:
+        if subject.lemma.lower() == _NUMBER and owner is not None:
             return self._counted(subject, owner)
         if any(child.xpos == "JJS" for child in children):
             here = next((child for child in self._children if child.form.lower() in _HERE), None)
-            known = next((child for child in children if child.lemma.lower() in _KNOWN | _SEEN), None)
+            known = next((child for child in children if child.lemma.lower() in _SEEN | {_KNOWN}), None)
             # "The biggest thing *you know of* in the hall."
             outside = frozenset() if known is None else self._sentence.subtree(known.index)
             place = here if known is None else self._place_of(known)
@@ -365,16 +207,6 @@ class _Clause:
         theme.pop("location", None)
         return StateClause(LOCATED, asked or WHETHER, {**theme, **words})
 
-    def _in_hand(self, subject: Word, hand: Word) -> Optional[StateClause]:
-        """Read "what is in your hand", "is the mug in your hand"."""
-        owners = [child.form.lower() for child in self._sentence.children(hand.index) if child.deprel == "nmod:poss"]
-        if owners != ["your"]:
-            return None
-        self._asking = self._sentence.subtree(hand.index)
-        if self._asked_of(subject) == THING or subject.form.lower() in _THINGS_ASKED:
-            return StateClause(HOLDING, "theme", {})
-        return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})
-
     def _in_state(self, subject: Word) -> Optional[StateClause]:
         form, top = subject.form.lower(), self._top
         # "It is raining" says nothing of a thing.
@@ -401,7 +233,22 @@ class _Clause:
             IN_STATE, THING if asked == PERSON else asked or WHETHER, {**self._theme(subject), **elements}
         )
 
-    # --- other verbs
+    def _of_phrase(self) -> Optional[StateClause]:
+        """Read "the colour of the mug", which asks for it where something is asked for."""
+        owner = next((child for child in self._children if child.deprel == "nmod"), None)
+        if self._lemma not in _COLOURS or owner is None:
+            return None
+        return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
+
+
+class _OfVerb(StatePhrases):
+    """Reads "have", "hold", "own", "see" and their like."""
+
+    def read(self) -> Optional[StateClause]:
+        """Return what the clause says; None if its verb is another."""
+        if self._subject is None or (self._features.modal and self._lemma not in _SEEN | _FOUND):
+            return None
+        return self._of_verb()
 
     def _of_verb(self) -> Optional[StateClause]:
         assert self._subject is not None
@@ -413,9 +260,9 @@ class _Clause:
             return self._of_having(subject)
         if self._lemma in _HELD:
             return self._of_holding(subject)
-        if self._lemma in ("own", "belong"):
+        if self._lemma in (_OWN, _BELONG):
             return self._of_belonging(subject)
-        if self._is_asked and self._lemma in _SEEN | _KNOWN and subject.form.lower() in _US:
+        if self._is_asked and self._lemma in _SEEN | {_KNOWN} and subject.form.lower() in _US:
             return self._of_perceiving()
         return None
 
@@ -427,9 +274,6 @@ class _Clause:
         if thing is None and self._lemma in _GONE and subject.form.lower() not in self._no_themes:
             return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
         return None
-
-    def _object(self) -> Optional[Word]:
-        return next((child for child in self._children if child.deprel == "obj"), None)
 
     def _of_having(self, subject: Word) -> Optional[StateClause]:
         thing = self._object()
@@ -457,24 +301,11 @@ class _Clause:
             return None if is_ours else StateClause(HAVING, "possession", {"owner": self._phrase(subject)})
         if is_ours and self._is_asked:
             return StateClause(EXISTING, WHETHER, {"theme": self._phrase(thing, self._left(thing))})
-        return StateClause(HOLDING, WHETHER, {"agent": self._phrase(subject), "theme": self._phrase(thing)})
-
-    def _of_holding(self, subject: Word) -> Optional[StateClause]:
-        thing = self._object()
-        if thing is None or (subject.form.lower() in _US - _HEARERS and self._is_asked):
-            return None
-        if self._asked_of(subject) == PERSON:
-            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
-        agent = {"agent": self._phrase(subject)}
-        if thing.form.lower() in _THINGS_ASKED:
-            self._asking |= {thing.index}
-        if thing.form.lower() in _THINGS_ASKED or self._asked_of(thing):
-            return StateClause(HOLDING, "theme", agent)
-        return StateClause(HOLDING, WHETHER, {**agent, "theme": self._phrase(thing)})
+        return self._held(subject, thing)
 
     def _of_belonging(self, subject: Word) -> Optional[StateClause]:
         thing = self._object()
-        if self._lemma == "own":
+        if self._lemma == _OWN:
             if thing is None:
                 return None
             if self._asked_of(subject) == PERSON:
@@ -507,7 +338,7 @@ class _Clause:
             return StateClause(EXISTING, THING, theme) if theme else None
         if asked:
             return StateClause(LOCATED, asked, {**theme, **where})
-        if self._lemma in _KNOWN:
+        if self._lemma == _KNOWN:
             return None
         if self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE) and not where:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})

@@ -11,9 +11,9 @@ from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
 
 _ASKING = word_class("question_words")
-_HAVE, _BE, _DO = word_class("forms_of_have"), word_class("forms_of_be"), word_class("forms_of_do")
+_HAVE, _BE = word_class("forms_of_have"), word_class("forms_of_be")
+_FUTURE = word_class("future_auxiliaries")
 _NEGATIONS = word_class("negations")
-_WHETHER = word_class("whether_words")
 #: Relations of clauses inside a clause, whose question words are their own.
 _INNER = frozenset(["acl", "advcl", "ccomp", "csubj", "parataxis", "conj"])
 
@@ -149,7 +149,7 @@ def _aspect(verb: Word, helping: List[Word], children: Tuple[Word, ...]) -> Aspe
         return Aspect.EVER_DONE if is_ever else Aspect.DONE
     if is_past or "did" in forms:
         return Aspect.DONE
-    if any(form in ("will", "'ll", "shall") for form in forms):
+    if _FUTURE.intersection(forms):
         return Aspect.PLANNED
     is_going_on = verb.xpos == "VBG" and bool(_BE.intersection(forms) or "be" in lemmas)
     return Aspect.RUNNING if is_going_on else Aspect.PRESENT

@@ -15,7 +15,13 @@ from semantic_framer.judging.sentence_verdicts import words_outside
 from semantic_framer.judging.verdicts import Case, case_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
-from semantic_framer.queries.deed_questions import asking_features, deed_question, embedded_features, told_features
+from semantic_framer.queries.deed_questions import (
+    asking_features,
+    deed_question,
+    embedded_features,
+    is_told_to_speaker,
+    told_features,
+)
 from semantic_framer.queries.questions import question_readings
 from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
@@ -119,11 +125,14 @@ def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
 
 
 def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:
-    """Understand a sentence as the question about a deed that it asks: "tell me whether you closed the door"."""
-    case = case_of(sentence, find_clauses(sentence.tree, now.known), now.known, now.policy)
+    """Understand a sentence that tells nobody, but asks: "tell me whether you closed the door"; None for others."""
+    said = sentence.unquoted
+    if said is None or not is_told_to_speaker(sentence, now.known):
+        return None
+    case = case_of(said, find_clauses(said.tree, now.known), now.known, now.policy)
     features = told_features(case)
     asked = deed_question(case, features, context) if features is not None else ()
-    return _answered(asked, sentence, context, now) if asked else None
+    return _answered(asked, said, context, now) if asked else None
 
 
 def _answered(asked: Tuple[Reading, ...], sentence: Sentence, context: Context, now: Now) -> Heard:

@@ -1,0 +1,207 @@
+"""Finds the phrases of a clause that says or asks how things are: its theme, its place, and what is asked of each."""
+
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Mapping, Optional, Tuple
+
+from semantic_framer.kinds.clause_features import ClauseFeatures, children_of_clause
+from semantic_framer.values.sentence import Sentence
+from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+#: The frames of states.
+LOCATED, PRESENT, IN_STATE, EXISTING = "being_located", "being_present", "being_in_state", "existing"
+HAVING, HOLDING, BELONGING = "having", "holding", "belonging"
+COLOURED, FOREMOST = "being_coloured", "being_foremost"
+#: What may be asked for beside an element.
+WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
+_HEARERS = word_class("hearers")
+_US = word_class("hearers") | word_class("speaker_subjects")
+_PERSON_NOUNS = word_class("general_person_nouns")
+_THINGS_ASKED = word_class("things_asked")
+_WHO = word_class("persons_asked")
+_WHICH = word_class("words_that_ask_which") - _WHO
+_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
+_HERE = word_class("places_without_names")
+_STATES = word_class("state_particles")
+_HANDS = word_class("hand_nouns")
+_LEFT = word_class("padding_of_states")
+_POINTING = word_class("demonstrative_determiners")
+_NO_THEMES_ASKED = word_class("demonstrative_pronouns") | _US
+_FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
+Positions = Tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class StateClause:
+    """What a clause says of a state.
+
+    Attributes:
+        frame: of the state
+        asked: what is asked for: whether, an element, a thing, a person, or a count
+        elements: the positions of the words of each element that is named
+    """
+
+    frame: str
+    asked: str
+    elements: Mapping[str, Positions]
+
+
+class StatePhrases:
+    """The phrases of one clause."""
+
+    def __init__(self, sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int], is_asked: bool) -> None:
+        self._sentence = sentence
+        self._is_asked = is_asked
+        self._words = words
+        self._features = features
+        self._top = sentence.word(features.top)
+        self._children = children_of_clause(sentence.tree, features.top)
+        #: Words that only ask: "anything".
+        self._asking: FrozenSet[int] = frozenset()
+        self._subject = next((child for child in self._children if child.deprel.startswith("nsubj")), None)
+        self._lemma = self._top.lemma.lower()
+        # Only a question about the robot or its speaker is no question about a thing.
+        self._no_themes = (
+            word_class("demonstrative_pronouns") | _US if is_asked else word_class("demonstrative_determiners")
+        )
+        self._is_predicate = any(child.deprel == "cop" for child in self._children)
+
+    def has_all_words(self, clause: StateClause) -> bool:
+        """Whether no word of the clause is left over."""
+        said = self._asking.union(*clause.elements.values())
+        padding = frozenset(index for time in self._sentence.tree.times for index in time)
+        for index in (self._sentence.subtree(self._top.index) & self._words) - said - padding:
+            word = self._sentence.word(index)
+            is_small = word.deprel.split(":")[0] in _FUNCTION | {"det", "case"} or word.form.lower() in _LEFT
+            is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in ("many", "be")
+            is_time = self._sentence.types.likeliest(index) == "Time"
+            if not is_small and not is_own and not is_time and word is not self._subject:
+                return False
+        return True
+
+    def _cases(self, word: Word) -> FrozenSet[int]:
+        return frozenset(child.index for child in self._sentence.children(word.index) if child.deprel == "case")
+
+    def _phrase(self, word: Word, without: FrozenSet[int] = frozenset()) -> Positions:
+        """Return a phrase without what only asks: "which", "how many"."""
+        lost = [c for c in self._sentence.children(word.index) if c.deprel == "cop" or c.deprel.startswith("nsubj")]
+        inside = self._sentence.subtree(word.index).difference(
+            without, *(self._sentence.subtree(c.index) for c in lost)
+        )
+        asking = frozenset(
+            index
+            for child in self._sentence.children(word.index)
+            for index in self._sentence.subtree(child.index)
+            if child.deprel in ("det", "amod", "advmod", "case")
+            if self._features.asked in self._sentence.subtree(child.index) and child.index != word.index
+        )
+        words = sorted((inside - asking) & self._words)
+        return tuple(index for index in words if self._sentence.word(index).upos != "PUNCT")
+
+    def _place_of(self, word: Word) -> Optional[Word]:
+        """Return the first phrase of place that a word governs."""
+        children = self._sentence.children(word.index)
+        return next((child for child in children if child.index in self._words and self._is_place(child)), None)
+
+    def _is_place(self, word: Word) -> bool:
+        cases = [child.form.lower() for child in self._sentence.children(word.index) if child.deprel == "case"]
+        if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
+            return False
+        is_left = word.form.lower() in _LEFT and word.index != self._top.index
+        if is_left or any(word.index in time for time in self._sentence.tree.times):
+            return False
+        if self._sentence.types.likeliest(word.index) == "Time":
+            return False  # "at the moment"
+        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in _HERE
+
+    def _asked_of(self, word: Word) -> str:
+        """Return what a phrase asks for; empty if it asks for nothing."""
+        form = word.form.lower()
+        asked = self._sentence.word(self._features.asked) if self._features.asked else None
+        if form in _WHO:
+            return PERSON
+        inside = self._sentence.subtree(word.index)
+        if word.index == self._top.index and self._subject is not None:
+            inside = inside - self._sentence.subtree(self._subject.index)
+        if asked is None or asked.index not in inside:
+            return ""
+        if asked.form.lower() == "how":
+            is_count = any(child.lemma.lower() == "many" for child in self._sentence.children(word.index))
+            return COUNT if is_count else ""
+        return THING if asked.form.lower() in _WHICH else ""
+
+    def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
+        """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
+        asks = self._asked_of(word)
+        form = word.form.lower()
+        if asks and form in _WHO | _WHICH:
+            inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
+            return {} if inner is None else {"theme": self._bare(inner)}
+        place = self._place_of(word) if asks else None
+        outside = self._sentence.subtree(place.index) if place is not None else frozenset()
+        found = {"theme": self._phrase(word, without | outside)}
+        if place is not None:
+            found["location"] = self._phrase(place)
+        return found
+
+    def _bare(self, word: Word) -> Positions:
+        """Return the noun of "which *of the bottles*", without its preposition and its article."""
+        left = [child.index for child in self._sentence.children(word.index) if child.deprel in ("case", "det")]
+        return tuple(index for index in self._phrase(word) if index not in left)
+
+    def _with_alternative(self, words: Dict[str, Positions], name: str, word: Word) -> Dict[str, Positions]:
+        """Return an element, and the alternative to it: "on the table *or in the sink*"."""
+        children = self._sentence.children(word.index)
+        other = next((child for child in children if child.deprel == "conj" and child.index in self._words), None)
+        outside = frozenset() if other is None else self._sentence.subtree(other.index)
+        found = {**words, name: self._phrase(word, outside | self._own(word))}
+        if other is not None and other.form.lower() != "not":
+            joints = frozenset(c.index for c in self._sentence.children(other.index) if c.deprel == "cc")
+            found["alternative"] = self._phrase(other, joints)
+        return found
+
+    def _own(self, word: Word) -> FrozenSet[int]:
+        """Return the words that a predicate governs as a clause, and that are no part of its phrase."""
+        if word.index != self._top.index:
+            return frozenset()
+        clause = [
+            child
+            for child in self._children
+            if child.deprel.split(":")[0] in _FUNCTION | {"nsubj", "advmod", "obl", "parataxis", "advcl"}
+        ]
+        return frozenset().union(*(self._sentence.subtree(child.index) for child in clause))
+
+    def _left(self, word: Word) -> FrozenSet[int]:
+        """Return the words of "any milk *left*"."""
+        return frozenset(child.index for child in self._sentence.children(word.index) if child.form.lower() == "left")
+
+    def _object(self) -> Optional[Word]:
+        return next((child for child in self._children if child.deprel == "obj"), None)
+
+    def _of_holding(self, subject: Word) -> Optional[StateClause]:
+        thing = self._object()
+        if thing is None or (subject.form.lower() in _US - _HEARERS and self._is_asked):
+            return None
+        if self._asked_of(subject) == PERSON:
+            return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
+        agent = {"agent": self._phrase(subject)}
+        if thing.form.lower() in _THINGS_ASKED:
+            self._asking |= {thing.index}
+        if thing.form.lower() in _THINGS_ASKED or self._asked_of(thing):
+            return StateClause(HOLDING, "theme", agent)
+        return self._held(subject, thing)
+
+    def _held(self, subject: Word, thing: Word) -> StateClause:
+        """Return that somebody holds a thing; a condition calls them an owner and a possession."""
+        who, what = ("agent", "theme") if self._is_asked else ("owner", "possession")
+        return StateClause(HOLDING, WHETHER, {who: self._phrase(subject), what: self._phrase(thing)})
+
+    def _in_hand(self, subject: Word, hand: Word) -> Optional[StateClause]:
+        """Read "what is in your hand", "is the mug in your hand"."""
+        owners = [child.form.lower() for child in self._sentence.children(hand.index) if child.deprel == "nmod:poss"]
+        if owners != ["your"]:
+            return None
+        self._asking = self._sentence.subtree(hand.index)
+        if self._asked_of(subject) == THING or subject.form.lower() in _THINGS_ASKED:
+            return StateClause(HOLDING, "theme", {})
+        return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})
