@@ -8,7 +8,13 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
-from semantic_framer.clauses.event_conditions import clause_top, event_condition, state_condition, unit_condition
+from semantic_framer.clauses.event_conditions import (
+    clause_top,
+    event_condition,
+    passive_condition,
+    state_condition,
+    unit_condition,
+)
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, compiled, heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
@@ -205,6 +211,9 @@ def _by_trees(
             # "Everybody *who comes in*."
             words, positions = words - {somebody} | {who.index}, sorted(sentence.subtree(clause.index))
             renamed[who.index] = "somebody"
+    passive = passive_condition(sentence, known, positions)
+    if passive is not None:
+        return [_renamed(passive, renamed)]
     found = [read(sentence, known, positions, words) for read in (state_condition, unit_condition)]
     return [_renamed(reading, renamed) for reading in found if reading is not None]
 

@@ -25,6 +25,8 @@ from word_classes import word_class
 
 #: The frame that says that the robot did something.
 CONDITION_OF_DEED = "condition_of_deed"
+#: The frame that says that somebody else does something.
+CONDITION_OF_ACT = "condition_of_act"
 _AFTER = "after"
 _CLOSED = word_class("words_for_closed")
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
@@ -97,14 +99,9 @@ def unit_condition(
     found = [
         reading
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
-        if not (reading.left_over or reading.wrong_types)
-        if all(element.name in reading.unit.values for element in reading.missing)
+        if not (reading.left_over or reading.wrong_types or reading.missing)
     ]
-    best = min(found, key=rank, default=None)
-    if best is None:
-        return None
-    said = tuple(TypedArgument(name, text, Source.INFERRED) for name, text in best.unit.values.items())
-    return replace(best, arguments=(*best.arguments, *said), missing=())
+    return min(found, key=rank, default=None)
 
 
 class EventCondition(NamedTuple):
@@ -126,9 +123,9 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
     top = clause_top(sentence, positions)
     if not top or sentence.word(top).upos != "VERB":
         return None
-    if any(child.deprel == "cop" for child in sentence.children(top)):
-        return None
     features = features_of(sentence.tree, top)
+    if any(child.deprel == "cop" for child in sentence.children(top)) and not features.is_passive:
+        return None
     if features.form is not Form.PLAIN or features.modal or not (features.agent or features.is_passive):
         return None
     clause = DeedClause(Case(sentence, (), (), known, Policy()), top, features, words)
@@ -140,10 +137,20 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
             return None  # "After you have closed the door, go": it shall close it first.
         return _of_robot(known, clause, deed) if features.aspect in _DONE else None
     result = known.frames[deed.unit.frame_name].results_in
-    if result is None or features.aspect not in (Aspect.PRESENT, *_DONE) or result.frame not in known.frames:
-        return None
-    reading = _of_result(deed, result)
+    reading = None
+    if result is not None and features.aspect in (Aspect.PRESENT, *_DONE) and result.frame in known.frames:
+        reading = _of_result(deed, result)
+    reading = reading or _of_act(known, clause, deed)
     return EventCondition(reading, features.is_negated) if reading is not None else None
+
+
+def passive_condition(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[Reading]:
+    """Read "the dishes are washed" as what somebody did, if the verb of a unit is said; None for other clauses."""
+    top = clause_top(sentence, positions)
+    if not top or sentence.word(top).xpos != "VBN" or sentence.word(top).upos != "VERB":
+        return None
+    event = event_condition(sentence, known, positions)
+    return event.reading if event is not None else None
 
 
 def _words_read(sentence: Sentence, clause: DeedClause, deed: Reading) -> FrozenSet[int]:
@@ -161,6 +168,13 @@ def _of_robot(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Option
         return None
     reading = _reading(deed, CONDITION_OF_DEED, clause.argument(deed, "statement"))
     return EventCondition(reading, clause.features.is_negated)
+
+
+def _of_act(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional[Reading]:
+    """Return the reading of a deed that results in nothing: a server may watch it, or nobody does."""
+    if CONDITION_OF_ACT not in known.frames:
+        return None
+    return _reading(deed, CONDITION_OF_ACT, clause.argument(deed, "statement"), clause.agent())
 
 
 def _of_result(deed: Reading, result: Result) -> Optional[Reading]:

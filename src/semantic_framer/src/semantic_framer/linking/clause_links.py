@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.conditions import is_auxiliary, read_asked, read_condition
+from semantic_framer.clauses.event_conditions import CONDITION_OF_DEED
 from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at
 from semantic_framer.linking.joints import SENTENCE_ENDS, Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
@@ -18,6 +19,7 @@ from word_classes import word_class
 
 #: A plan waits for a day at most, seconds.
 LONGEST_WAIT_S = 86_400.0
+_DO, _NEGATIONS = word_class("forms_of_do"), word_class("negations")
 _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
@@ -204,8 +206,27 @@ class _Finder:
                 must_last=link.kind is LinkKind.WHILE,
             )
             if condition is not None:
-                return self._joint(link, place, end, length, condition), end
+                return self._put_off(self._joint(link, place, end, length, condition)), end
         return None, 0
+
+    def _put_off(self, joint: Joint) -> Joint:
+        """Return "do not say hello *until you have closed the door*" as an order of two deeds: the greeting waits.
+
+        What is forbidden until somebody else does something is only forbidden.
+        """
+        said = joint.condition.reading if joint.condition is not None else None
+        if joint.kind is not LinkKind.UNTIL or said is None or said.unit.frame_name != CONDITION_OF_DEED:
+            return joint
+        tree = self.sentence.tree
+        (top,) = tree.children(0)[:1]
+        children = tree.children(top.index)
+        denying = [child for child in children if child.deprel in ("aux", "advmod") and child.index < top.index]
+        forms = [child.form.lower() for child in denying]
+        is_denied = len(forms) == 2 and forms[0] in _DO and forms[1] in _NEGATIONS
+        if not is_denied or any(child.deprel.startswith("nsubj") for child in children):
+            return joint
+        positions = joint.positions.union(child.index for child in denying)
+        return replace(joint, kind=LinkKind.WHEN, positions=positions)
 
     def _checked(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a condition that is checked first: "*check if the door is open, and if so,* close it", "*is the door

@@ -28,6 +28,7 @@ QUESTION_OF_EVENT = "question_of_event"
 ASKS, ASPECT, ABLE = "asks", "aspect", "able"
 _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
 _QUESTION_WORDS = word_class("question_words")
+_PLEASE = "please"
 #: "Could you close it" is a request, whatever it is embedded in.
 _CAN = "can"
 _ABILITIES = frozenset([_CAN, "ca"])
@@ -59,6 +60,28 @@ def asking_features(case: Case) -> Optional[ClauseFeatures]:
     features = features_of(case.sentence.tree, top)
     is_marked = features.form is Form.PLAIN and case.sentence.tree.text.rstrip().endswith("?")
     return replace(features, form=Form.POLAR) if is_marked else features
+
+
+def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
+    """Return the reading of "can you close doors": whoever names a kind, and no thing, asks for nothing to be done."""
+    top = top_among(case.sentence, words_of_question(case.sentence))
+    features = features_of(case.sentence.tree, top) if top else None
+    if features is None or features.modal not in _ABILITIES or features.form is not Form.POLAR or features.is_negated:
+        return ()
+    found = deed_question(case, features, context)
+    if not found:
+        return ()
+    (deed,) = found[0].arguments[0].frames
+    said = [element for element in deed.frame_elements if element.positions]
+    is_general = bool(said) and all(map(_is_kind, said))
+    is_courteous = any(word.form.lower() == _PLEASE for word in case.sentence.tree.words)
+    return found if is_general and not is_courteous else ()
+
+
+def _is_kind(argument: TypedArgument) -> bool:
+    """Whether an argument names a kind: "doors", and not "the doors", "two doors", "doors of the hall"."""
+    is_one = argument.quantifier or argument.possessor or argument.count or argument.frames or argument.members
+    return argument.is_plural and not is_one
 
 
 def embedded_features(case: Case) -> Optional[ClauseFeatures]:

@@ -10,12 +10,15 @@ from semantic_framer.changing.things_asked_for import as_said, asked_for
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.readings import Heard
+from semantic_framer.filling.descriptions import relative_clauses
 from semantic_framer.judging.said_words import positions_named
 from semantic_framer.judging.sentence_verdicts import words_outside
 from semantic_framer.judging.verdicts import Case, case_of
+from semantic_framer.kinds.clause_features import Aspect, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
 from semantic_framer.queries.deed_questions import (
+    ability_question,
     asking_features,
     deed_question,
     embedded_features,
@@ -27,6 +30,7 @@ from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
 from semantic_framer.sentences.small_talk import answer_small_talk, small_talk_of
+from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context, Pending
 from semantic_framer.values.outcome import (
     PROHIBITION,
@@ -41,8 +45,12 @@ from semantic_framer.values.outcome import (
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause, find_clauses
-from word_classes import agreement
+from utterance_passes.phrases.verb_matching import match_verbs
+from word_classes import agreement, word_class
 
+#: FrameNet's name of seeing and hearing.
+_SEEING = "Perception_experience"
+_HEARERS = word_class("hearers")
 _NO_QUESTION = "I have no open question."
 
 
@@ -91,6 +99,15 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
         is_told = refusal.code in (REPORT, TALK, PROHIBITION)
         return Heard(refusal, _told(sentence, case.clauses, context) if is_told else context, sentence, clauses)
+    named_by = _named_by_deeds(sentence, [read.clause for read in clauses], known)
+    if named_by:
+        now.write("named_by_deeds", named_by, "refused. It is not known which thing that was.")
+        return Heard(
+            Refusal("UNKNOWN_THING", f'I cannot tell which one is meant by "{named_by}". Please name it.'),
+            context,
+            sentence,
+            clauses,
+        )
     choices = choices_left_open(sentence, [(read.clause, read.kept[0]) for read in clauses], known)
     if choices:
         offered = " or ".join(choice.text for choice in choices)
@@ -117,7 +134,7 @@ def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     if found:
         return found
     whole = asking_features(case)
-    found = question_readings(case)
+    found = question_readings(case) or ability_question(case, context)
     # A pattern that holds each word knows best: "how many orders do you have".
     if whole is None or (found and not found[0].arguments):
         return found
@@ -140,6 +157,23 @@ def _answered(asked: Tuple[Reading, ...], sentence: Sentence, context: Context, 
     # A question is read only with all of its words.
     named = frozenset(word.index for word in sentence.tree.words)
     return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
+
+
+def _named_by_deeds(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> str:
+    """Return the words that tell by a deed of the robot which thing is meant, "that you closed"; empty if none do.
+
+    The framer does not know what the robot did: it would take any door.
+    """
+    for clause in relative_clauses(sentence, clauses):
+        features = features_of(sentence.tree, clause.verb)
+        is_of_robot = features.agent and sentence.word(features.agent).form.lower() in _HEARERS
+        # What it saw, it may see again.
+        frames = [known.frames[unit.frame_name] for unit in known.lexicon.events.units_of(clause.lemma)]
+        is_seen = any(frame.framenet == _SEEING for frame in frames)
+        is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
+        if is_of_robot and is_over and not is_seen and match_verbs(sentence.tree, clause, known):
+            return sentence.text(sorted(sentence.subtree(clause.verb)))
+    return ""
 
 
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:
