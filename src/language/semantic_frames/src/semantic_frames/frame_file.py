@@ -56,7 +56,7 @@ ELEMENT_KEYS = (
     "semantic_type",
     "confirm",
 )
-RESULT_KEYS = ("frame", "theme", "state", "location", "owner", "possession")
+RESULT_KEYS = ("frame", "theme", "state", "location", "goal", "owner", "possession")
 CHILD_KEYS = ("name", "frame_element_relations")
 RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value", "relation")
 

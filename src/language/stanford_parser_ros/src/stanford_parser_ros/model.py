@@ -8,6 +8,7 @@ from typing import FrozenSet, Tuple
 from stanford_parser_ros.inference import Inference, shipped_model_dir
 from stanford_parser_ros.joint.inference import JointInference
 from stanford_parser_ros.joint.lexicon_hints import RULE, Hint, named_words
+from stanford_parser_ros.verb_lemmas import with_verb_lemmas
 from utterance_passes.engine.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -173,11 +174,11 @@ class Parser:
 
     def _parsed(self, spelling: Spelling, run: "_Run") -> DependencyTree:
         """Ask the models, and ask them again where a word is something else than the units say."""
-        tree = self._inference.parse(spelling.text)
+        tree = with_verb_lemmas(self._inference.parse(spelling.text))
         named = named_words(tree, run.hints) if RULE not in run.without else ()
         if not named:
             return tree
-        found = self._inference.with_named_words(tree, named)
+        found = with_verb_lemmas(self._inference.with_named_words(tree, named))
         run.trace.add_changes(RULE, tree, found)
         return found
 

@@ -6,7 +6,7 @@ What the robot does is known from its log. What others do is known by what it re
 from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional, Sequence
 
-from semantic_framer.clauses.deed_clauses import DeedClause
+from semantic_framer.clauses.deed_clauses import AGENT, DeedClause
 from semantic_framer.clauses.state_clauses import WHETHER, state_clause
 from semantic_framer.filling.matching import match_units
 from semantic_framer.judging.verdicts import Case
@@ -139,7 +139,7 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
     result = known.frames[deed.unit.frame_name].results_in
     reading = None
     if result is not None and features.aspect in (Aspect.PRESENT, *_DONE) and result.frame in known.frames:
-        reading = _of_result(deed, result)
+        reading = _of_result(clause, deed, result)
     reading = reading or _of_act(known, clause, deed)
     return EventCondition(reading, features.is_negated) if reading is not None else None
 
@@ -177,11 +177,14 @@ def _of_act(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional
     return _reading(deed, CONDITION_OF_ACT, clause.argument(deed, "statement"), clause.agent())
 
 
-def _of_result(deed: Reading, result: Result) -> Optional[Reading]:
-    """Return the reading of what a deed results in; None if it lacks what that is said of."""
+def _of_result(clause: DeedClause, deed: Reading, result: Result) -> Optional[Reading]:
+    """Return the reading of what a deed results in; None if it lacks what that is said of.
+
+    "Agent" stands for whoever does it: who goes somewhere is there.
+    """
     arguments = []
     for name, value in result.elements:
-        found = deed.argument(value)
+        found = clause.agent() if value == AGENT else deed.argument(value)
         if found is None and value in result.own_elements:
             return None
         arguments.append(

@@ -72,7 +72,8 @@ def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
     if not found:
         return ()
     (deed,) = found[0].arguments[0].frames
-    said = [element for element in deed.frame_elements if element.positions]
+    # "Can you fetch newspapers from the kitchen" names a kind; "can you bring me cups" wants some.
+    said = [element for element in deed.frame_elements if element.positions and not element.relation]
     is_general = bool(said) and all(map(_is_kind, said))
     is_courteous = any(word.form.lower() == _PLEASE for word in case.sentence.tree.words)
     return found if is_general and not is_courteous else ()

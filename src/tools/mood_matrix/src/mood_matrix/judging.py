@@ -47,6 +47,8 @@ GOING = frozenset(["navigating_to_location"])
 STOPS = frozenset(["stopping", "waiting"])
 #: Whoever speaks.
 _SPEAKER = frozenset(["me", "us"])
+#: Conditions that no shipped server watches.
+UNWATCHED = frozenset(["condition_of_act"])
 #: Frames that change nothing, beside questions and conditions.
 _IDLE = frozenset(["praising_a_deed", "criticizing_a_deed"])
 _ROBOTS = frozenset(["you", "robot", "ya"])
@@ -92,6 +94,8 @@ class Judge:
 
     def __init__(self, pipeline: Pipeline) -> None:
         self._pipeline = pipeline
+        # Nobody watches it on a robot as it is shipped, whatever is pretended.
+        pipeline.knowledge.graph.set_dead(UNWATCHED)
         frames = pipeline.knowledge.frames
         self._idle: FrozenSet[str] = frozenset(
             name for name, frame in frames.items() if frame.is_question or frame.is_condition
