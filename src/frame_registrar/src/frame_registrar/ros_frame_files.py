@@ -21,7 +21,7 @@ ADDED_FRAMES = "_added_frames"
 class FrameFiles:
     """Keeps the frames of a graph as their files say.
 
-    Publishes: frame_catalogue (FrameCatalogue, latched); its problems through its place.
+    Publishes: frame_catalogue (FrameCatalogue, latched), and by its place file_problems (FileProblems, latched).
     """
 
     def __init__(self, graph: FrameGraph, lock: threading.Lock, place: Place, *, registrar_id: str) -> None:
