@@ -3,9 +3,10 @@
 from typing import Callable, FrozenSet, Optional, Set, Tuple
 
 import rospy
-from roboframenet_msgs.msg import Command, TriedFrame
+from roboframenet_msgs.msg import Command, CommandPlan, TriedFrame
 
 from arbitrator.plan import Do, Plan, walk
+from arbitrator.ros_messages import plan_to_message
 from executor.command_queue import AfterStop
 from executor.patience import Patience
 from executor.quarantine import Quarantine
@@ -28,7 +29,7 @@ _LONGEST_TURN_S = 1.0
 class RunStarter:
     """Makes the runs of commands. One thread at a time calls.
 
-    Publishes: ``tried_frames``. Subscribes: ``frame_servers``.
+    Publishes: ``tried_frames``, ``running_plan``. Subscribes: ``frame_servers``.
     """
 
     def __init__(self, settings: Settings, *, private: str) -> None:
@@ -49,6 +50,7 @@ class RunStarter:
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._threads = ReadyThread("command_run")
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
+        self._begun = rospy.Publisher("running_plan", CommandPlan, queue_size=20)
 
     def start(self) -> None:
         """Cancel what an executor that was killed has left, undo its settings, and hear of servers."""
@@ -98,6 +100,8 @@ class RunStarter:
             on_note: called when there is something to tell of the run, in its thread
             on_end: called when it has ended, in its thread
         """
+        # An observer of command_plan might take a plan that waits for an executor that starts anew.
+        self._begun.publish(CommandPlan(command=command, plan=plan_to_message(plan)))
         run = CommandRun(
             plan,
             clients=self._clients,

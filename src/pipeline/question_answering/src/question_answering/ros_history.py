@@ -27,7 +27,7 @@ class History:
     """Remembers how commands ended.
 
     Subscribes:
-        reply (Reply), tried_frames (TriedFrame), command_plan (CommandPlan),
+        reply (Reply), tried_frames (TriedFrame), running_plan (CommandPlan),
         executor/smach/container_structure, executor/smach/container_status (smach_msgs)
     """
 
@@ -40,7 +40,7 @@ class History:
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._on_reply, queue_size=20),
             rospy.Subscriber("tried_frames", TriedFrame, self._on_tried, queue_size=100),
-            rospy.Subscriber("command_plan", CommandPlan, self._on_plan, queue_size=20),
+            rospy.Subscriber("running_plan", CommandPlan, self._on_plan, queue_size=20),
             rospy.Subscriber(
                 "executor/smach/container_structure", SmachContainerStructure, self._on_structure, queue_size=50
             ),

@@ -147,7 +147,7 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
 def passive_condition(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[Reading]:
     """Read "the dishes are washed" as what somebody did, if the verb of a unit is said; None for other clauses."""
     top = clause_top(sentence, positions)
-    if not top or sentence.word(top).xpos != "VBN" or sentence.word(top).upos != "VERB":
+    if not top or sentence.word(top).upos != "VERB" or not features_of(sentence.tree, top).is_passive:
         return None
     event = event_condition(sentence, known, positions)
     return event.reading if event is not None else None

@@ -29,6 +29,7 @@ ASKS, ASPECT, ABLE = "asks", "aspect", "able"
 _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
 _QUESTION_WORDS = word_class("question_words")
 _PLEASE = "please"
+_NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 #: "Could you close it" is a request, whatever it is embedded in.
 _CAN = "can"
 _ABILITIES = frozenset([_CAN, "ca"])
@@ -73,10 +74,16 @@ def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
         return ()
     (deed,) = found[0].arguments[0].frames
     # "Can you fetch newspapers from the kitchen" names a kind; "can you bring me cups" wants some.
-    said = [element for element in deed.frame_elements if element.positions and not element.relation]
+    said = [element for element in deed.frame_elements if _is_object(element, case.sentence)]
     is_general = bool(said) and all(map(_is_kind, said))
     is_courteous = any(word.form.lower() == _PLEASE for word in case.sentence.tree.words)
     return found if is_general and not is_courteous else ()
+
+
+def _is_object(argument: TypedArgument, sentence: Sentence) -> bool:
+    """Whether an argument names what is handled: no place, no amount, no adverb."""
+    is_bare = bool(argument.positions) and not argument.relation and argument.measure is None and argument.time is None
+    return is_bare and bool(argument.head_position) and sentence.word(argument.head_position).upos in _NOUNS
 
 
 def _is_kind(argument: TypedArgument) -> bool:
