@@ -88,7 +88,6 @@ def test_sentence_that_is_asked_about_or_refused(pipeline, text, code):
     [
         ("When the kettle boils, turn off the stove.", "When the kettle boils"),
         ("Switch the kettle on and, when it boils, pour me a tea.", "when it boils"),
-        ("Clean the table while I cook dinner.", "while I cook dinner"),
     ],
 )
 def test_only_the_condition_that_is_not_understood_is_quoted(pipeline, text, condition):

@@ -43,7 +43,10 @@ class Grounding:
 
 def servers_by_frame() -> Dict[str, Tuple[str, ...]]:
     """Return the nodes that have a server for a frame in the home."""
-    nodes: Dict[str, Sequence[str]] = {"home_servers": [*FRAMES, *CONDITIONS], "question_answering": list(ANSWERS)}
+    nodes: Dict[str, Sequence[str]] = {
+        "home_servers": [*FRAMES, *CONDITIONS],
+        "question_answering": [*ANSWERS, "condition_of_deed"],
+    }
     nodes.update(yaml.safe_load(Path(__file__).with_name("servers.yaml").read_text(encoding="utf-8")))
     found: Dict[str, Tuple[str, ...]] = {}
     for node, frames in nodes.items():

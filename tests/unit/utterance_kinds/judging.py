@@ -6,7 +6,9 @@ from typing import Dict, Iterable, Iterator, List, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
+from semantic_framer.queries.deed_questions import QUESTION_OF_EVENT
 from semantic_framer.values.outcome import MEANING_ONLY
+from semantic_framer.values.reading import Reading
 
 from .utterances import Utterance
 
@@ -85,12 +87,16 @@ class Judge:
         return self._plain[command]
 
 
+def _is_question(reading: Reading) -> bool:
+    return bool(reading.unit.questions or reading.unit.asks) or reading.unit.frame_name == QUESTION_OF_EVENT
+
+
 def _meaning(understood: Understanding) -> Meaning:
     """Return what would be done, without the performer, which only a request names: "could *you* ...".
 
     A question that is answered does nothing.
     """
-    if understood.reply.outcome != "DONE" or all(reading.unit.questions for reading in understood.readings):
+    if understood.reply.outcome != "DONE" or all(map(_is_question, understood.readings)):
         return ()
     return tuple(
         (

@@ -6,6 +6,7 @@ not understood. A negation of the whole clause is taken out, and kept beside the
 """
 
 from dataclasses import replace
+from itertools import dropwhile
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.event_conditions import (
@@ -36,6 +37,7 @@ _NOBODY = word_class("indefinite_persons_denied")
 _NOTHING = word_class("indefinite_things_denied")
 _ANYBODY = word_class("indefinite_persons_asked")
 _WHO = word_class("relative_persons")
+_STATE = "state"
 _PADDING = word_class("condition_padding")
 _STATES = word_class("state_particles")
 _OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
@@ -173,21 +175,10 @@ def _read_one(
     if positions and is_auxiliary(sentence.word(positions[0])):
         return None  # "When does Anna come" is a question.
     said = _words(sentence, positions, somebody)
-    found = (
-        []
-        if said is None
-        else [
-            reading
-            for unit in known.lexicon.condition_units(said.forms)
-            for frame in [known.frames.get(unit.frame_name)]
-            if frame is not None and frame.is_condition
-            for reading in [_first_match(sentence, unit, frame, said, is_until)]
-            if reading is not None
-        ]
-    )
+    found = _read_by_patterns(sentence, known, said, is_until) if said is not None else []
     if said is not None and said.forms:
         found += _by_trees(sentence, known, positions, said, somebody)
-    if not found:
+    if said is None or not found:
         event = None if somebody else event_condition(sentence, known, positions)
         if event is None:
             return None
@@ -195,6 +186,17 @@ def _read_one(
     # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
     best = max(found, key=lambda reading: len(reading.verb_positions))
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
+
+
+def _read_by_patterns(sentence: Sentence, known: FramedLexicon, said: _Words, is_until: bool) -> List[Reading]:
+    return [
+        reading
+        for unit in known.lexicon.condition_units(said.forms)
+        for frame in [known.frames.get(unit.frame_name)]
+        if frame is not None and frame.is_condition
+        for reading in [_first_match(sentence, unit, frame, said, is_until)]
+        if reading is not None
+    ]
 
 
 def _by_trees(
@@ -215,7 +217,23 @@ def _by_trees(
     if passive is not None:
         return [_renamed(passive, renamed)]
     found = [read(sentence, known, positions, words) for read in (state_condition, unit_condition)]
-    return [_renamed(reading, renamed) for reading in found if reading is not None]
+    whole = [one for one in found if one is not None and _are_phrases(sentence, one, renamed)]
+    return [_renamed(reading, renamed) for reading in whole]
+
+
+def _are_phrases(sentence: Sentence, reading: Reading, renamed: Mapping[int, str]) -> bool:
+    """Whether what fills a condition are plain phrases and states, of which a server loses no word."""
+    for argument in reading.arguments:
+        if not argument.positions or argument.head_position in renamed:
+            continue
+        words = [sentence.word(index) for index in argument.positions]
+        words = list(dropwhile(lambda word: word.upos == "ADP", words)) or words
+        if argument.name == _STATE:
+            if not _is_state(words[0]):
+                return False
+        elif not (len(words) == 1 and words[0].upos == "ADV") and not _is_phrase(sentence, words, is_place=False):
+            return False
+    return True
 
 
 def _renamed(reading: Reading, renamed: Mapping[int, str]) -> Reading:

@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.deed_clauses import AGENT, DeedClause
-from semantic_framer.clauses.state_clauses import WHETHER, state_clause
+from semantic_framer.clauses.state_clauses import state_clause
+from semantic_framer.clauses.state_phrases import WHETHER
 from semantic_framer.filling.matching import match_units
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, Form, features_of
@@ -28,6 +29,10 @@ CONDITION_OF_DEED = "condition_of_deed"
 #: The frame that says that somebody else does something.
 CONDITION_OF_ACT = "condition_of_act"
 _AFTER = "after"
+#: What somebody can perceive, they perceive.
+_MODALS = frozenset(["", "can", "ca", "could"])
+_WAITING = "Waiting"
+_PERSONS = word_class("male_pronouns") | word_class("female_pronouns")
 _CLOSED = word_class("words_for_closed")
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
 
@@ -94,6 +99,8 @@ def unit_condition(
     top = clause_top(sentence, positions)
     if not top or sentence.word(top).upos not in ("VERB", "AUX", "NOUN"):
         return None
+    if features_of(sentence.tree, top).modal not in _MODALS:
+        return None  # "If Anna should come."
     events = replace(known, lexicon=known.lexicon.events)
     clause = clause_of(sentence.tree, top, words, False)
     found = [
@@ -101,7 +108,7 @@ def unit_condition(
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
         if not (reading.left_over or reading.wrong_types or reading.missing)
     ]
-    return min(found, key=rank, default=None)
+    return min(found, key=rank) if found else None
 
 
 class EventCondition(NamedTuple):
@@ -163,16 +170,21 @@ def _words_read(sentence: Sentence, clause: DeedClause, deed: Reading) -> Frozen
 
 
 def _of_robot(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional[EventCondition]:
-    is_open = any(argument.text.lower() in PRONOUNS for argument in deed.arguments)
-    if CONDITION_OF_DEED not in known.frames or is_open:
+    is_wait = known.frames[deed.unit.frame_name].framenet == _WAITING
+    if CONDITION_OF_DEED not in known.frames or is_wait or _is_open(deed):
         return None
     reading = _reading(deed, CONDITION_OF_DEED, clause.argument(deed, "statement"))
     return EventCondition(reading, clause.features.is_negated)
 
 
+def _is_open(deed: Reading) -> bool:
+    """Whether a pronoun leaves open what is meant."""
+    return any(argument.text.lower() in PRONOUNS | _PERSONS for argument in deed.arguments)
+
+
 def _of_act(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional[Reading]:
     """Return the reading of a deed that results in nothing: a server may watch it, or nobody does."""
-    if CONDITION_OF_ACT not in known.frames:
+    if CONDITION_OF_ACT not in known.frames or _is_open(deed):
         return None
     return _reading(deed, CONDITION_OF_ACT, clause.argument(deed, "statement"), clause.agent())
 

@@ -67,14 +67,15 @@ class StatePhrases:
         self._is_predicate = any(child.deprel == "cop" for child in self._children)
 
     def has_all_words(self, clause: StateClause) -> bool:
-        """Whether no word of the clause is left over."""
+        """Whether no word of the clause is left over; a question may say when, a condition may not."""
         said = self._asking.union(*clause.elements.values())
-        padding = frozenset(index for time in self._sentence.tree.times for index in time)
-        for index in (self._sentence.subtree(self._top.index) & self._words) - said - padding:
+        times = [index for time in self._sentence.tree.times for index in time] if self._is_asked else []
+        function = _FUNCTION if self._is_asked else _FUNCTION - {"mark"}
+        for index in (self._sentence.subtree(self._top.index) & self._words) - said.union(times):
             word = self._sentence.word(index)
-            is_small = word.deprel.split(":")[0] in _FUNCTION | {"det", "case"} or word.form.lower() in _LEFT
+            is_small = word.deprel.split(":")[0] in function | {"det", "case"} or word.form.lower() in _LEFT
             is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in ("many", "be")
-            is_time = self._sentence.types.likeliest(index) == "Time"
+            is_time = self._is_asked and self._sentence.types.likeliest(index) == "Time"
             if not is_small and not is_own and not is_time and word is not self._subject:
                 return False
         return True

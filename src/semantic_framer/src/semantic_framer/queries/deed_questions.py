@@ -158,8 +158,10 @@ def _asked_of(case: Case, features: ClauseFeatures, context: Context) -> Tuple[R
 
 def _is_answerable(clause: DeedClause, aspect: str) -> bool:
     """Whether the robot can know it: what it did, does and can do, and what persons did."""
-    if clause.asks == HOW or (aspect == ABLE and clause.asks not in (WHETHER, "")):
+    if clause.asks == HOW:
         return False
+    if aspect == ABLE:
+        return clause.is_of_robot and clause.asks in (WHETHER, "")
     if clause.is_of_robot or not clause.features.agent:
         return True
     return aspect in (Aspect.DONE.value, Aspect.EVER_DONE.value) and clause.is_of_person
@@ -171,7 +173,7 @@ def _aspect(features: ClauseFeatures) -> str:
         return ABLE
     if features.modal or features.aspect is Aspect.PRESENT:
         return ""
-    return features.aspect.value
+    return str(features.aspect.value)
 
 
 def _of_what_is_meant(sentence: Sentence, top: int, features: ClauseFeatures) -> Tuple[int, ClauseFeatures]:

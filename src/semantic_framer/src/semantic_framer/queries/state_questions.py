@@ -2,7 +2,8 @@
 
 from typing import FrozenSet, Optional, Tuple
 
-from semantic_framer.clauses.state_clauses import StateClause, state_clause
+from semantic_framer.clauses.state_clauses import state_clause
+from semantic_framer.clauses.state_phrases import StateClause
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import ClauseFeatures, Form
 from semantic_framer.kinds.question_extent import words_of_question

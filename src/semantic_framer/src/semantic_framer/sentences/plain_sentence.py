@@ -138,7 +138,9 @@ def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     # A pattern that holds each word knows best: "how many orders do you have".
     if whole is None or (found and not found[0].arguments):
         return found
-    return state_question(case, whole) or found or deed_question(case, whole, context)
+    found = state_question(case, whole) or found
+    # "Can you see to the washing" asks for it to be done.
+    return found or (deed_question(case, whole, context) if not case.acts else ())
 
 
 def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optional[Heard]:
