@@ -23,7 +23,6 @@ def pipeline() -> Pipeline:
 ODD = (
     ("Tell her lunch is ready.", "quotations: lunch: nsubj(ready) -> flat:quoted(ready)"),
     ("take a right", "side_is_no_thing: taking(theme=a right): dropped."),
-    ("take a picture in front of you", "says_less: photographing(representation=picture): dropped."),
     ("take a look", "noun_of_another_verb: taking(theme=a look): dropped."),
     ("set the thermostat to 20", "number_is_no_place: placing(theme=the thermostat, goal=20): dropped."),
     ("lift a bit", "degree_is_no_thing: lifting(theme=a bit): dropped."),

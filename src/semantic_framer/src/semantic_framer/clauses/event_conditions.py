@@ -108,7 +108,15 @@ def unit_condition(
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
         if not (reading.left_over or reading.wrong_types or reading.missing)
     ]
-    return min(found, key=rank) if found else None
+    if not found:
+        return None
+    best = min(found, key=rank)
+    # "The door opens" says how it is then.
+    arguments = tuple(
+        replace(argument, source=Source.INFERRED) if argument.name in best.unit.values else argument
+        for argument in best.arguments
+    )
+    return replace(best, arguments=arguments)
 
 
 class EventCondition(NamedTuple):

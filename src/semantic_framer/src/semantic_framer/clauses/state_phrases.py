@@ -70,6 +70,9 @@ class StatePhrases:
         """Whether no word of the clause is left over; a question may say when, a condition may not."""
         said = self._asking.union(*clause.elements.values())
         times = [index for time in self._sentence.tree.times for index in time] if self._is_asked else []
+        # "Is it open at 18:30" asks about another time than now.
+        if any(self._sentence.word(index).upos == "NUM" for index in times):
+            return False
         function = _FUNCTION if self._is_asked else _FUNCTION - {"mark"}
         for index in (self._sentence.subtree(self._top.index) & self._words) - said.union(times):
             word = self._sentence.word(index)

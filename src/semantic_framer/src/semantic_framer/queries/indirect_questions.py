@@ -10,8 +10,10 @@ from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from typed_arguments import EmbeddedFrame, TypedArgument
+from word_classes import word_class
 
 _QUESTION = "question"
+_WHETHER = word_class("whether_words")
 
 
 def with_indirect_questions(reading: Reading, sentence: Sentence, known: FramedLexicon) -> Reading:
@@ -33,7 +35,7 @@ def with_indirect_questions(reading: Reading, sentence: Sentence, known: FramedL
 def _with_question(
     argument: TypedArgument, sentence: Sentence, known: FramedLexicon, *, is_told: bool
 ) -> TypedArgument:
-    asking = [one for one in argument.frames if one.role == "says" and not one.frame_name]
+    asking = [one for one in argument.frames if one.role == "says" and not one.frame_name and _is_question(one)]
     if asking:
         found = _read(asking[0], sentence.unquoted or sentence, known)
         frames = tuple(found if one is asking[0] and found is not None else one for one in argument.frames)
@@ -46,6 +48,11 @@ def _with_question(
     return argument
 
 
+def _is_question(said: EmbeddedFrame) -> bool:
+    """Whether something is asked: "that dinner is ready" is told."""
+    return said.mood == _QUESTION or said.words.lower().partition(" ")[0] in _WHETHER
+
+
 def _read(said: EmbeddedFrame, sentence: Sentence, known: FramedLexicon) -> Optional[EmbeddedFrame]:
     """Return the frame of the question that some words ask; None if they ask none that is known."""
     words = frozenset(said.positions)
@@ -54,7 +61,7 @@ def _read(said: EmbeddedFrame, sentence: Sentence, known: FramedLexicon) -> Opti
         return None
     features = features_of(sentence.tree, tops[0])
     features = replace(features, form=Form.OPEN if features.asked else Form.POLAR)
-    found = asked_frame(sentence, known, features, words)
+    found = asked_frame(sentence, known, features, words, needs_server=False)
     if found is None:
         return None
     return replace(said, frame_name=found.unit.frame_name, frame_elements=found.arguments)

@@ -32,7 +32,12 @@ def state_question(case: Case, features: ClauseFeatures) -> Tuple[Reading, ...]:
 
 
 def asked_frame(
-    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
+    sentence: Sentence,
+    known: FramedLexicon,
+    features: ClauseFeatures,
+    words: FrozenSet[int],
+    *,
+    needs_server: bool = True,
 ) -> Optional[Reading]:
     """Return the reading of the question that a clause asks about a state; None for other clauses.
 
@@ -41,16 +46,19 @@ def asked_frame(
         known: lexical units and frames
         features: of the clause
         words: positions of the words that count
+        needs_server: whether a server must answer it; what somebody is told, the server of telling finds out
     """
     clause = state_clause(sentence, features, words)
-    unit = _unit(known, clause) if clause is not None else None
+    unit = _unit(known, clause, needs_server) if clause is not None else None
     return _reading(sentence, known, unit, clause) if clause is not None and unit is not None else None
 
 
-def _unit(known: FramedLexicon, clause: StateClause) -> Optional[LexicalUnit]:
+def _unit(known: FramedLexicon, clause: StateClause, needs_server: bool) -> Optional[LexicalUnit]:
     for unit in known.lexicon.asking_units(f"{clause.frame}.{clause.asked}"):
         frame = known.frames.get(unit.frame_name)
-        if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
+        if frame is None or not frame.is_question:
+            continue
+        if needs_server and known.heeded and frame.name not in known.heeded:
             continue
         if all(frame.element(name) is not None for name in clause.elements if name != _ALTERNATIVE):
             return unit

@@ -30,8 +30,9 @@ def with_finding(reading: Reading, before: Sequence[Reading], frames: Mapping[st
     found = next(filter(None, findings), None)
     if found is None:
         return reading
-    question = EmbeddedFrame(role="says", words=found, mood="question")
-    return with_argument(reading, TypedArgument(element.name, found, Source.INFERRED, words=found, frames=(question,)))
+    words, positions = found
+    question = EmbeddedFrame(role="says", words=words, positions=positions, mood="question")
+    return with_argument(reading, TypedArgument(element.name, words, Source.INFERRED, words=words, frames=(question,)))
 
 
 def element_told(reading: Reading, frames: Mapping[str, SemanticFrame]) -> Optional[FrameElement]:
@@ -47,8 +48,10 @@ def element_told(reading: Reading, frames: Mapping[str, SemanticFrame]) -> Optio
     return open_elements[0]
 
 
-def _found_out(reading: Reading, frame: SemanticFrame) -> Optional[str]:
-    """Return what a clause is to find out, as an indirect question: "who is there", "whether the door is locked"."""
+def _found_out(reading: Reading, frame: SemanticFrame) -> Optional[Tuple[str, Tuple[int, ...]]]:
+    """Return what a clause is to find out, as an indirect question with the positions of its words: "who is there",
+    "whether the door is locked"; None if it is to find out nothing.
+    """
     roles = {element.name: element.framenet for element in frame.frame_elements}
     contents = [one for one in reading.arguments if roles[one.name] in CONTENTS and one.positions]
     if not contents:
@@ -60,7 +63,10 @@ def _found_out(reading: Reading, frame: SemanticFrame) -> Optional[str]:
         if one.positions and (roles[one.name] in STATED_OF if is_stated else one.text.lower() in _QUESTION_WORDS)
     ]
     words = _in_order([*about, *contents])
-    return f"whether {words}" if words and is_stated else words
+    if not words:
+        return None
+    positions = frozenset().union(*(one.positions for one in (*about, *contents)))
+    return (f"whether {words}" if is_stated else words), tuple(sorted(positions))
 
 
 def _in_order(arguments: Sequence[TypedArgument]) -> Optional[str]:
