@@ -15,7 +15,15 @@ SOURCES = next(one for one in Path(__file__).resolve().parents if one.name == "s
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 #: They read trees that come from elsewhere: the parser, a message, a file.
 # conditions.py gives arguments other words; an argument has a head as a word has.
-READERS = {"conllu.py", "inference.py", "ros_messages.py", "conditions.py"}
+READERS = {
+    # The form of a clause, and no word.
+    "deed_questions.py",
+    "indirect_questions.py",
+    "conllu.py",
+    "inference.py",
+    "ros_messages.py",
+    "conditions.py",
+}
 FIELDS = {"form", "upos", "xpos", "feats", "head", "deprel", "words", "times", "sharing_a_verb", "clusters", "brackets"}
 
 
