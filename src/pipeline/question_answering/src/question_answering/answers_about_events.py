@@ -23,7 +23,7 @@ from world_model.world_object import ROBOT_ID
 
 QUESTION_OF_EVENT = "question_of_event"
 _ROBOT, _WHO = "robot", "who"
-_DONE, _EVER_DONE, _RUNNING, _PLANNED, _ABLE = "done", "ever_done", "running", "planned", "able"
+_RUNNING, _PLANNED, _ABLE = "running", "planned", "able"
 _WHETHER, _WHEN, _WHY, _HOW_OFTEN, _HOW_LONG, _WHERE = "whether", "when", "why", "how_often", "how_long", "where"
 _ANY = word_class("determiners_of_any")
 #: Types that say nothing of what can be carried, opened or switched on.

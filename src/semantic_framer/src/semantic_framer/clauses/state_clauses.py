@@ -27,7 +27,6 @@ from semantic_framer.values.sentence import Sentence
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
-_HEARERS = word_class("hearers")
 _US = word_class("hearers") | word_class("speaker_subjects")
 _PERSON_NOUNS = word_class("general_person_nouns")
 _THINGS_ASKED = word_class("things_asked")

@@ -16,14 +16,11 @@ COLOURED, FOREMOST = "being_coloured", "being_foremost"
 WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
 _HEARERS = word_class("hearers")
 _US = word_class("hearers") | word_class("speaker_subjects")
-_PERSON_NOUNS = word_class("general_person_nouns")
 _THINGS_ASKED = word_class("things_asked")
 _WHO = word_class("persons_asked")
 _WHICH = word_class("words_that_ask_which") - _WHO
 _PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
 _HERE = word_class("places_without_names")
-_STATES = word_class("state_particles")
-_HANDS = word_class("hand_nouns")
 _LEFT = word_class("padding_of_states")
 _POINTING = word_class("demonstrative_determiners")
 _NO_THEMES_ASKED = word_class("demonstrative_pronouns") | _US
@@ -61,9 +58,7 @@ class StatePhrases:
         self._subject = next((child for child in self._children if child.deprel.startswith("nsubj")), None)
         self._lemma = self._top.lemma.lower()
         # Only a question about the robot or its speaker is no question about a thing.
-        self._no_themes = (
-            word_class("demonstrative_pronouns") | _US if is_asked else word_class("demonstrative_determiners")
-        )
+        self._no_themes = _NO_THEMES_ASKED if is_asked else _POINTING
         self._is_predicate = any(child.deprel == "cop" for child in self._children)
 
     def has_all_words(self, clause: StateClause) -> bool:
