@@ -434,6 +434,8 @@ class EmergencyStopTest(unittest.TestCase):
             os.kill(pid, signal.SIGKILL)
         for node, pid in pids.items():
             self.wait_for_return(node, pid)
+        # Both that hear a text were dead: what is said before one is connected is lost to all.
+        wait_until(lambda: self.text.get_num_connections() > 0, message="nobody hears texts")
         self.assert_holds()
         self.assertEqual((True, number), (self.states[-1].is_engaged, self.states[-1].number))
         wait_for_pipeline(("turning", "moving_forward"))
