@@ -65,6 +65,8 @@ class _About:
         self._time = arguments.get("time")
         self._known = known
         self._elements = [one for one in asked.frame_elements if not one.is_asked and one.positions]
+        #: The element that is asked for: "which lamps"; None if none is.
+        self._wanted = next((one for one in asked.frame_elements if one.is_asked), None)
 
     # --- what was done
 
@@ -110,7 +112,6 @@ class _About:
 
     def _fillers(self, found: Sequence[TriedClause]) -> str:
         """Name what filled the element that is asked for."""
-        phrase = next((one for one in self._asked.frame_elements if one.is_asked), None)
         names: List[str] = []
         for clause in found:
             for filled in self._filled(clause, self._asks):
@@ -118,7 +119,7 @@ class _About:
         names = list(dict.fromkeys(names))
         if not names:
             return f'I carried out "{found[-1].text}", and do not remember that.'
-        if phrase is not None and phrase.quantifier == "how_many":
+        if self._wanted is not None and self._wanted.quantifier == "how_many":
             return f"{len(names)}: {join_with_and(names[:MOST_NAMED])}."
         return f"{with_capital(join_with_and(names[:MOST_NAMED]))}."
 
@@ -214,10 +215,9 @@ class _About:
             return "I only know what I can do myself."
         if self._asked.frame_name not in self._known.served:
             return "No: nothing that runs here can do that."
-        phrase = next((one for one in self._asked.frame_elements if one.is_asked), None)
-        if phrase is None:
-            return f"Yes, I can {without_generic(self._words)}."
-        found = self._objects_for(phrase)
+        if self._wanted is None:
+            return f"Yes, I can {_without_generic(self._words)}."
+        found = self._objects_for(self._wanted)
         if found is None:
             return f"Yes, I can {self._words} things, but I cannot tell which are too heavy or too large."
         if not found:
@@ -285,7 +285,7 @@ def _bare(text: str) -> str:
     return without_determiner(text.lower())
 
 
-def without_generic(words: str) -> str:
+def _without_generic(words: str) -> str:
     """Return the words of an ability without what only asks: "close any doors"."""
     return " ".join(word for word in words.split() if word.lower() not in _ANY)
 

@@ -10,12 +10,12 @@ from itertools import dropwhile
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.event_conditions import (
-    clause_top,
     event_condition,
     passive_condition,
     state_condition,
     unit_condition,
 )
+from semantic_framer.kinds.clause_features import features_among, top_among
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, compiled, heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
@@ -122,7 +122,7 @@ def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int
     if not positions or not is_auxiliary(sentence.word(positions[0])):
         return read_condition(sentence, known, positions)
     auxiliary, *rest = positions
-    top = clause_top(sentence, positions)
+    top = top_among(sentence.tree, positions)
     children = sentence.children(top) if top else ()
     subjects = [child.index for child in children if child.deprel == "expl"]
     subjects = subjects or [child.index for child in children if child.deprel.startswith("nsubj")]
@@ -179,7 +179,8 @@ def _read_one(
     if said is not None and said.forms:
         found += _by_trees(sentence, known, positions, said, somebody)
     if said is None or not found:
-        event = None if somebody else event_condition(sentence, known, positions)
+        features = None if somebody else features_among(sentence.tree, positions)
+        event = event_condition(sentence, known, features, frozenset(positions)) if features is not None else None
         if event is None:
             return None
         return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
@@ -213,10 +214,13 @@ def _by_trees(
             # "Everybody *who comes in*."
             words, positions = words - {somebody} | {who.index}, sorted(sentence.subtree(clause.index))
             renamed[who.index] = "somebody"
-    passive = passive_condition(sentence, known, positions)
+    features = features_among(sentence.tree, positions)
+    if features is None:
+        return []
+    passive = passive_condition(sentence, known, features, frozenset(positions))
     if passive is not None:
         return [_renamed(passive, renamed)]
-    found = [read(sentence, known, positions, words) for read in (state_condition, unit_condition)]
+    found = [read(sentence, known, features, words) for read in (state_condition, unit_condition)]
     whole = [one for one in found if one is not None and _are_phrases(sentence, one, renamed)]
     return [_renamed(reading, renamed) for reading in whole]
 

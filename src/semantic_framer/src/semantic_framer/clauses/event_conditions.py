@@ -4,14 +4,14 @@ What the robot does is known from its log. What others do is known by what it re
 """
 
 from dataclasses import replace
-from typing import FrozenSet, NamedTuple, Optional, Sequence
+from typing import FrozenSet, NamedTuple, Optional
 
 from semantic_framer.clauses.deed_clauses import AGENT, DeedClause
 from semantic_framer.clauses.state_clauses import state_clause
 from semantic_framer.clauses.state_phrases import WHETHER
 from semantic_framer.filling.matching import match_units
 from semantic_framer.judging.verdicts import Case
-from semantic_framer.kinds.clause_features import Aspect, Form, features_of
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of
 from semantic_framer.values.dialogue import PRONOUNS
@@ -37,29 +37,17 @@ _CLOSED = word_class("words_for_closed")
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
 
 
-def clause_top(sentence: Sentence, positions: Sequence[int]) -> int:
-    """Return the position of the verb or predicate of some words; 0 if they are no clause."""
-    words = frozenset(positions)
-    tops = [index for index in positions if sentence.word(index).head not in words]
-    tops = [index for index in tops if sentence.word(index).upos != "PUNCT"]
-    return tops[0] if len(tops) == 1 else 0
-
-
 def state_condition(
-    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], words: FrozenSet[int]
+    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
 ) -> Optional[Reading]:
     """Read some words as a state: "Anna is in the kitchen", "the lamp is on"; None if they are none.
 
     Args:
         sentence: the sentence
         known: lexical units and frames
-        positions: of the words
-        words: of these, without what only denies
+        features: of the clause
+        words: positions of its words, without what only denies
     """
-    top = clause_top(sentence, positions)
-    if not top:
-        return None
-    features = features_of(sentence.tree, top)
     if features.asked in words:
         return None
     # "When" joins the clause, and asks nothing.
@@ -90,19 +78,18 @@ def _usual(argument: TypedArgument) -> TypedArgument:
 
 
 def unit_condition(
-    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], words: FrozenSet[int]
+    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
 ) -> Optional[Reading]:
     """Read some words by the units of what happens: "Anna comes in", "the door opens"; None if none fits.
 
     Args: as of :func:`state_condition`
     """
-    top = clause_top(sentence, positions)
-    if not top or sentence.word(top).upos not in ("VERB", "AUX", "NOUN"):
+    if sentence.word(features.top).upos not in ("VERB", "AUX", "NOUN"):
         return None
-    if features_of(sentence.tree, top).modal not in _MODALS:
+    if features.modal not in _MODALS:
         return None  # "If Anna should come."
     events = replace(known, lexicon=known.lexicon.events)
-    clause = clause_of(sentence.tree, top, words, False)
+    clause = clause_of(sentence.tree, features.top, words, False)
     found = [
         reading
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
@@ -126,19 +113,20 @@ class EventCondition(NamedTuple):
     is_negated: bool
 
 
-def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[EventCondition]:
+def event_condition(
+    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
+) -> Optional[EventCondition]:
     """Read some words as a condition about a deed; None if they are about none that anybody can notice.
 
     Args:
         sentence: the sentence
         known: lexical units and frames
-        positions: of the words, in order
+        features: of the clause
+        words: positions of all of its words
     """
-    words = frozenset(positions)
-    top = clause_top(sentence, positions)
-    if not top or sentence.word(top).upos != "VERB":
+    top = features.top
+    if sentence.word(top).upos != "VERB":
         return None
-    features = features_of(sentence.tree, top)
     if any(child.deprel == "cop" for child in sentence.children(top)) and not features.is_passive:
         return None
     if features.form is not Form.PLAIN or features.modal or not (features.agent or features.is_passive):
@@ -159,12 +147,14 @@ def event_condition(sentence: Sentence, known: FramedLexicon, positions: Sequenc
     return EventCondition(reading, features.is_negated) if reading is not None else None
 
 
-def passive_condition(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[Reading]:
-    """Read "the dishes are washed" as what somebody did, if the verb of a unit is said; None for other clauses."""
-    top = clause_top(sentence, positions)
-    if not top or sentence.word(top).upos != "VERB" or not features_of(sentence.tree, top).is_passive:
-        return None
-    event = event_condition(sentence, known, positions)
+def passive_condition(
+    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
+) -> Optional[Reading]:
+    """Read "the dishes are washed" as what somebody did, if the verb of a unit is said; None for other clauses.
+
+    Args: as of :func:`event_condition`
+    """
+    event = event_condition(sentence, known, features, words) if features.is_passive else None
     return event.reading if event is not None else None
 
 

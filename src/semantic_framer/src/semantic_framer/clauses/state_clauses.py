@@ -13,12 +13,17 @@ from semantic_framer.clauses.state_phrases import (
     EXISTING,
     FOREMOST,
     HAVING,
+    HERE,
     IN_STATE,
     LOCATED,
     PERSON,
     PRESENT,
     THING,
+    THINGS_ASKED,
+    US,
     WHETHER,
+    WHICH,
+    WHO,
     StateClause,
     StatePhrases,
 )
@@ -27,16 +32,11 @@ from semantic_framer.values.sentence import Sentence
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
-_US = word_class("hearers") | word_class("speaker_subjects")
 _PERSON_NOUNS = word_class("general_person_nouns")
-_THINGS_ASKED = word_class("things_asked")
-_WHO = word_class("persons_asked")
-_WHICH = word_class("words_that_ask_which") - _WHO
 _WHERE = word_class("words_that_ask_where")
 _WHOSE = "whose"
 _NUMBER, _OWN, _BELONG = "number", "own", "belong"
 _PLACE_NOUNS = word_class("general_place_nouns")
-_HERE = word_class("places_without_names")
 _STATES = word_class("state_particles")
 _POSTURES = word_class("posture_verbs")
 _KEPT = word_class("verbs_of_keeping_states")
@@ -110,7 +110,7 @@ class _OfBe(StatePhrases):
         top, form = self._top, self._top.form.lower()
         if form in _WHERE:
             return self._where(subject)
-        if form in _WHO and subject.form.lower() in _HERE:
+        if form in WHO and subject.form.lower() in HERE:
             return StateClause(LOCATED, PERSON, {"location": (subject.index,)})
         owner = next((child for child in self._children if child.form.lower() == _WHOSE), None)
         if owner is not None:
@@ -120,7 +120,7 @@ class _OfBe(StatePhrases):
             return StateClause(BELONGING, "owner", {"theme": self._phrase(subject)})
         if self._lemma in _COLOURS and self._asked_of(top):
             return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
-        if form in _WHICH | _WHO:
+        if form in WHICH | WHO:
             return self._of_noun(subject)
         behind = next((c for c in self._children if c.deprel == "case" and c.form.lower() in _STATES), None)
         if behind is not None and behind.index > top.index:
@@ -142,7 +142,7 @@ class _OfBe(StatePhrases):
         return self._where(subject) if self._top.lemma.lower() in _PLACE_NOUNS else None
 
     def _where(self, subject: Word) -> Optional[StateClause]:
-        if subject.form.lower() in _US:
+        if subject.form.lower() in US:
             return StateClause(LOCATED, "own_place", {})
         if subject.form.lower() in self._no_themes:
             return None
@@ -157,7 +157,7 @@ class _OfBe(StatePhrases):
         if subject.lemma.lower() == _NUMBER and owner is not None:
             return self._counted(subject, owner)
         if any(child.xpos == "JJS" for child in children):
-            here = next((child for child in self._children if child.form.lower() in _HERE), None)
+            here = next((child for child in self._children if child.form.lower() in HERE), None)
             known = next((child for child in children if child.lemma.lower() in _SEEN | {_KNOWN}), None)
             # "The biggest thing *you know of* in the hall."
             outside = frozenset() if known is None else self._sentence.subtree(known.index)
@@ -191,7 +191,7 @@ class _OfBe(StatePhrases):
             return None
         if place.lemma.lower() in _HANDS:
             return self._in_hand(subject, place)
-        if not self._is_asked and place.form.lower() in _HERE - {"there"}:
+        if not self._is_asked and place.form.lower() in HERE - {"there"}:
             return StateClause(PRESENT, WHETHER, {"theme": self._phrase(subject)})
         outside = self._sentence.subtree(place.index) if place.index != self._top.index else frozenset()
         words = self._with_alternative({}, "location", place)
@@ -200,7 +200,7 @@ class _OfBe(StatePhrases):
             return StateClause(LOCATED, PERSON, words)
         if not asked and form in _PERSON_NOUNS and self._is_asked:
             return StateClause(LOCATED, PERSON, words)
-        if not asked and form in _THINGS_ASKED and self._is_asked:
+        if not asked and form in THINGS_ASKED and self._is_asked:
             return StateClause(LOCATED, THING, words)
         theme = self._theme(subject, outside | self._left(subject))
         theme.pop("location", None)
@@ -261,14 +261,14 @@ class _OfVerb(StatePhrases):
             return self._of_holding(subject)
         if self._lemma in (_OWN, _BELONG):
             return self._of_belonging(subject)
-        if self._is_asked and self._lemma in _SEEN | {_KNOWN} and subject.form.lower() in _US:
+        if self._is_asked and self._lemma in _SEEN | {_KNOWN} and subject.form.lower() in US:
             return self._of_perceiving()
         return None
 
     def _whereabouts(self, subject: Word) -> Optional[StateClause]:
         """Read "where can I find the mug", "where did the mug go", "where did I leave the mug"."""
         thing = self._object()
-        if thing is not None and subject.form.lower() in _US and self._lemma in _FOUND | _SEEN:
+        if thing is not None and subject.form.lower() in US and self._lemma in _FOUND | _SEEN:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         if thing is None and self._lemma in _GONE and subject.form.lower() not in self._no_themes:
             return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
@@ -288,7 +288,7 @@ class _OfVerb(StatePhrases):
         if thing.lemma.lower() in _COLOURS and self._asked_of(thing):
             self._asking = self._sentence.subtree(thing.index)
             return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
-        is_ours, asked = subject.form.lower() in _US, self._asked_of(thing)
+        is_ours, asked = subject.form.lower() in US, self._asked_of(thing)
         if asked == COUNT:
             theme = self._theme(thing)
             place = self._place_of(self._top)
@@ -321,9 +321,7 @@ class _OfVerb(StatePhrases):
 
     def _of_perceiving(self) -> Optional[StateClause]:
         thing = self._object()
-        if thing is None or (
-            self._features.agent and self._sentence.word(self._features.agent).form.lower() not in _US
-        ):
+        if thing is None or (self._features.agent and self._sentence.word(self._features.agent).form.lower() not in US):
             return None
         place = self._place_of(self._top) or self._place_of(thing)
         outside = frozenset() if place is None else self._sentence.subtree(place.index)

@@ -15,15 +15,16 @@ COLOURED, FOREMOST = "being_coloured", "being_foremost"
 #: What may be asked for beside an element.
 WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
 _HEARERS = word_class("hearers")
-_US = word_class("hearers") | word_class("speaker_subjects")
-_THINGS_ASKED = word_class("things_asked")
-_WHO = word_class("persons_asked")
-_WHICH = word_class("words_that_ask_which") - _WHO
+#: Words that mean the robot or the speaker, that ask for things and persons, and that stand for a place.
+US = word_class("hearers") | word_class("speaker_subjects")
+THINGS_ASKED = word_class("things_asked")
+WHO = word_class("persons_asked")
+WHICH = word_class("words_that_ask_which") - WHO
 _PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
-_HERE = word_class("places_without_names")
+HERE = word_class("places_without_names")
 _LEFT = word_class("padding_of_states")
 _POINTING = word_class("demonstrative_determiners")
-_NO_THEMES_ASKED = word_class("demonstrative_pronouns") | _US
+_NO_THEMES_ASKED = word_class("demonstrative_pronouns") | US
 _FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
 Positions = Tuple[int, ...]
 
@@ -111,13 +112,13 @@ class StatePhrases:
             return False
         if self._sentence.types.likeliest(word.index) == "Time":
             return False  # "at the moment"
-        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in _HERE
+        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in HERE
 
     def _asked_of(self, word: Word) -> str:
         """Return what a phrase asks for; empty if it asks for nothing."""
         form = word.form.lower()
         asked = self._sentence.word(self._features.asked) if self._features.asked else None
-        if form in _WHO:
+        if form in WHO:
             return PERSON
         inside = self._sentence.subtree(word.index)
         if word.index == self._top.index and self._subject is not None:
@@ -127,13 +128,13 @@ class StatePhrases:
         if asked.form.lower() == "how":
             is_count = any(child.lemma.lower() == "many" for child in self._sentence.children(word.index))
             return COUNT if is_count else ""
-        return THING if asked.form.lower() in _WHICH else ""
+        return THING if asked.form.lower() in WHICH else ""
 
     def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
         """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
         asks = self._asked_of(word)
         form = word.form.lower()
-        if asks and form in _WHO | _WHICH:
+        if asks and form in WHO | WHICH:
             inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
             return {} if inner is None else {"theme": self._bare(inner)}
         place = self._place_of(word) if asks else None
@@ -179,14 +180,14 @@ class StatePhrases:
 
     def _of_holding(self, subject: Word) -> Optional[StateClause]:
         thing = self._object()
-        if thing is None or (subject.form.lower() in _US - _HEARERS and self._is_asked):
+        if thing is None or (subject.form.lower() in US - _HEARERS and self._is_asked):
             return None
         if self._asked_of(subject) == PERSON:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         agent = {"agent": self._phrase(subject)}
-        if thing.form.lower() in _THINGS_ASKED:
+        if thing.form.lower() in THINGS_ASKED:
             self._asking |= {thing.index}
-        if thing.form.lower() in _THINGS_ASKED or self._asked_of(thing):
+        if thing.form.lower() in THINGS_ASKED or self._asked_of(thing):
             return StateClause(HOLDING, "theme", agent)
         return self._held(subject, thing)
 
@@ -201,6 +202,6 @@ class StatePhrases:
         if owners != ["your"]:
             return None
         self._asking = self._sentence.subtree(hand.index)
-        if self._asked_of(subject) == THING or subject.form.lower() in _THINGS_ASKED:
+        if self._asked_of(subject) == THING or subject.form.lower() in THINGS_ASKED:
             return StateClause(HOLDING, "theme", {})
         return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})

@@ -3,9 +3,9 @@
 They are read from the tree alone, and so hold for every verb: auxiliaries, subject, word order and question words.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
-from typing import FrozenSet, List, Optional, Tuple
+from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
@@ -61,6 +61,23 @@ class ClauseFeatures:
     is_passive: bool
     is_negated: bool
     auxiliaries: FrozenSet[int]
+
+    def as_question(self) -> "ClauseFeatures":
+        """Return the features of the clause as one that is asked, whatever its order: "tell me whether *it is on*"."""
+        return replace(self, form=Form.OPEN if self.asked else Form.POLAR)
+
+
+def top_among(tree: DependencyTree, positions: Sequence[int]) -> int:
+    """Return the position of the verb or predicate of some words; 0 if they are no clause."""
+    words = frozenset(positions)
+    tops = [index for index in positions if tree.word(index).head not in words and tree.word(index).upos != "PUNCT"]
+    return tops[0] if len(tops) == 1 else 0
+
+
+def features_among(tree: DependencyTree, positions: Sequence[int]) -> Optional[ClauseFeatures]:
+    """Return the features of the clause that some words are, in order; None if they are no clause."""
+    top = top_among(tree, positions)
+    return features_of(tree, top) if top else None
 
 
 def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:

@@ -5,14 +5,14 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 """
 
 from dataclasses import replace
-from typing import Optional, Tuple
+from typing import Optional, Sequence, Tuple
 
 from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause
 from semantic_framer.judging.verdicts import Case
-from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_among, features_of
 from semantic_framer.kinds.question_extent import words_of_question
 from semantic_framer.kinds.question_orders import length_of_opening
-from semantic_framer.queries.questions import only_asks, spelling, top_among
+from semantic_framer.queries.questions import only_asks, spelling
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -20,6 +20,7 @@ from semantic_framer.values.dialogue import Context
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from typed_arguments import Source, TypedArgument
+from utterance_passes.trees.tree import Word
 from utterance_passes.trees.vocabulary import Speech
 from word_classes import word_class
 
@@ -53,20 +54,18 @@ def deed_question(case: Case, features: ClauseFeatures, context: Context) -> Tup
 def asking_features(case: Case) -> Optional[ClauseFeatures]:
     """Return the features of the clause that asks, if a sentence only asks one thing; None for other sentences."""
     words = words_of_question(case.sentence)
-    top = top_among(case.sentence, words)
+    features = _features(case.sentence, words)
     # "Can you see Bob in the hall?" begins like a request, and asks.
     is_question = only_asks(case, words) or bool(length_of_opening([spelling(word) for word in words]))
-    if not top or not is_question:
+    if features is None or not is_question:
         return None
-    features = features_of(case.sentence.tree, top)
     is_marked = features.form is Form.PLAIN and case.sentence.tree.text.rstrip().endswith("?")
     return replace(features, form=Form.POLAR) if is_marked else features
 
 
 def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
     """Return the reading of "can you close doors": whoever names a kind, and no thing, asks for nothing to be done."""
-    top = top_among(case.sentence, words_of_question(case.sentence))
-    features = features_of(case.sentence.tree, top) if top else None
+    features = _features(case.sentence, words_of_question(case.sentence))
     if features is None or features.modal not in _ABILITIES or features.form is not Form.POLAR or features.is_negated:
         return ()
     found = deed_question(case, features, context)
@@ -99,7 +98,8 @@ def embedded_features(case: Case) -> Optional[ClauseFeatures]:
     length = length_of_opening([spelling(word) for word in words])
     if not 0 < length < len(words):
         return None
-    return _as_question(case.sentence, top_among(case.sentence, words[length:]))
+    features = _features(case.sentence, words[length:])
+    return features.as_question() if features is not None else None
 
 
 def told_features(case: Case) -> Optional[ClauseFeatures]:
@@ -114,16 +114,12 @@ def told_features(case: Case) -> Optional[ClauseFeatures]:
     for word in sentence.children(top.index):
         begin = sentence.word(min(sentence.subtree(word.index))).form.lower()
         if word.index > top.index and word.deprel in ("ccomp", "advcl") and begin in _WHETHER | _QUESTION_WORDS:
-            return _as_question(sentence, word.index)
+            return features_of(sentence.tree, word.index).as_question()
     return None
 
 
-def _as_question(sentence: Sentence, top: int) -> Optional[ClauseFeatures]:
-    """Return the features of a clause that is asked, whatever its order; None for no clause."""
-    if not top:
-        return None
-    features = features_of(sentence.tree, top)
-    return replace(features, form=Form.OPEN if features.asked else Form.POLAR)
+def _features(sentence: Sentence, words: Sequence[Word]) -> Optional[ClauseFeatures]:
+    return features_among(sentence.tree, [word.index for word in words])
 
 
 def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Optional
 
-from semantic_framer.kinds.clause_features import Form, features_of
+from semantic_framer.kinds.clause_features import features_among
 from semantic_framer.queries.state_questions import asked_frame
 from semantic_framer.units.frame_roles import MESSAGE, TELLING
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -55,13 +55,10 @@ def _is_question(said: EmbeddedFrame) -> bool:
 
 def _read(said: EmbeddedFrame, sentence: Sentence, known: FramedLexicon) -> Optional[EmbeddedFrame]:
     """Return the frame of the question that some words ask; None if they ask none that is known."""
-    words = frozenset(said.positions)
-    tops = [index for index in sorted(words) if sentence.word(index).head not in words]
-    if len(tops) != 1:
+    features = features_among(sentence.tree, sorted(said.positions))
+    if features is None:
         return None
-    features = features_of(sentence.tree, tops[0])
-    features = replace(features, form=Form.OPEN if features.asked else Form.POLAR)
-    found = asked_frame(sentence, known, features, words, needs_server=False)
+    found = asked_frame(sentence, known, features.as_question(), frozenset(said.positions), needs_server=False)
     if found is None:
         return None
     return replace(said, frame_name=found.unit.frame_name, frame_elements=found.arguments)

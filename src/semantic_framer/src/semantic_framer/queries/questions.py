@@ -50,13 +50,6 @@ def only_asks(case: Case, words: Sequence[Word]) -> bool:
     return not acts and not ends_inside(case.sentence, words) and _is_question(case)
 
 
-def top_among(sentence: Sentence, words: Sequence[Word]) -> int:
-    """Return the position of the one word of some that hangs on none of them; 0 if there are several."""
-    inside = frozenset(word.index for word in words)
-    tops = [word.index for word in words if word.head not in inside]
-    return tops[0] if len(tops) == 1 else 0
-
-
 def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
     """Return the readings of a sentence of which all words fit a remark, whatever kind of sentence it is.
 
