@@ -17,8 +17,8 @@ TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 # conditions.py gives arguments other words; an argument has a head as a word has.
 READERS = {
     # The form of a clause, and no word.
+    "clause_features.py",
     "deed_questions.py",
-    "indirect_questions.py",
     "conllu.py",
     "inference.py",
     "ros_messages.py",
