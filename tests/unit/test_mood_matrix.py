@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from home_servers.conditions import FRAMES as WATCHED_IN_HOME
+from home_servers.conditions import STATEMENTS
 from home_servers.frames import FRAMES as DONE_IN_HOME
 from roboframenet_testing.workspace import package
 
@@ -53,6 +54,10 @@ def test_frames_that_another_server_does_are_named_in_its_package(name: str) -> 
 def test_states_that_the_home_sees_are_known() -> None:
     text = (package("home_servers") / "src" / "home_servers" / "states.yaml").read_text(encoding="utf-8")
     assert SERVED["states"] == {word: state for word, state in yaml.safe_load(text).items() if word != "out"}
+
+
+def test_perceivers_are_those_that_the_home_states() -> None:
+    assert SERVED["perceivers"] == STATEMENTS["condition_of_perceiving"]["heeds"]["perceiver"]
 
 
 def test_events_that_are_noticed_are_conditions_that_a_server_watches() -> None:

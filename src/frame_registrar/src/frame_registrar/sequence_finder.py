@@ -16,7 +16,7 @@ from frame_registrar.heeding import lost_arguments, sentence_about, unheeded_arg
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_frames.frame import RelatedFrame
 from semantic_frames.server_profile import Purpose
-from typed_arguments import FilledFrame
+from typed_arguments import FilledFrame, TypedArgument
 
 Frames = Tuple[FilledFrame, ...]
 
@@ -149,12 +149,19 @@ class SequenceFinder:
     def no_server(self, frame_names: Sequence[str]) -> Refusal:
         """Say that no server is registered for frames."""
         names = join_with_or(tuple(dict.fromkeys(f'"{name}"' for name in frame_names))[:6])
-        if self._condition is None:
-            sentence = f"I understand what you want, but I cannot do it: no server is registered for {names}."
-        else:
-            what = f'whether "{self._condition}"' if self._condition else "whether that is so"
-            sentence = f"I understand what you want, but I cannot tell {what}: no server watches {names}."
+        if self._condition is not None:
+            return Refusal("NO_SERVER", self._cannot_tell(f"no server watches {names}"))
+        sentence = f"I understand what you want, but I cannot do it: no server is registered for {names}."
         return Refusal("NO_SERVER", sentence)
+
+    def _unnoticed(self, argument: TypedArgument) -> Refusal:
+        """Say that whoever watches a condition does not notice what an argument says."""
+        reason = f'no server can tell that for "{argument.words or argument.text}"'
+        return Refusal("VALUE_NOT_ALLOWED", self._cannot_tell(reason))
+
+    def _cannot_tell(self, reason: str) -> str:
+        what = f'whether "{self._condition}"' if self._condition else "whether that is so"
+        return f"I understand what you want, but I cannot tell {what}: {reason}."
 
     def _options(self, filled: FilledFrame) -> _Options:
         """Return the options of a filled frame; those of its descendants are found first, without recursion."""
@@ -211,8 +218,12 @@ class SequenceFinder:
         unheeded = {server: unheeded_arguments(profile, filled, frame) for server, profile in profiles.items()}
         heeding = tuple(server for server in servers if not unheeded[server])
         lost = dict.fromkeys(arguments[0] for arguments in unheeded.values() if arguments)
+        if heeding:
+            return heeding, []
+        if self._condition is not None:
+            return heeding, [self._unnoticed(argument) for argument in lost]
         sentences = [sentence_about(argument, frame, tuple(profiles.values())) for argument in lost]
-        return heeding, [] if heeding else [Refusal("VALUE_NOT_ALLOWED", sentence) for sentence in sentences]
+        return heeding, [Refusal("VALUE_NOT_ALLOWED", sentence) for sentence in sentences]
 
     def _expand(self, filled: FilledFrame) -> "_Expansion":
         frame = self.graph.frame(filled.name)

@@ -73,7 +73,10 @@ def test_watcher_that_cannot_see_that_is_none() -> None:
     graph.register("seeing", "scan", stated_profile(statement))
     refusal = search(graph, [[seeing("Anna")]], max_candidates=9, conditions={0: "you see Anna"})
     assert isinstance(refusal, Refusal)
-    assert refusal.sentence == 'The phenomenon of seeing cannot be "Anna", only wall.'
+    assert refusal.code == "VALUE_NOT_ALLOWED"
+    assert refusal.sentence == (
+        'I understand what you want, but I cannot tell whether "you see Anna": no server can tell that for "Anna".'
+    )
 
 
 def test_watcher_heeds_also_what_the_words_stand_for() -> None:

@@ -106,7 +106,6 @@ def test_each_doubt_has_a_sentence_and_a_reason() -> None:
     [
         ("slide the book across the table", ["sliding(theme=the book, path=the table)"]),
         ("Bring Anna orange juice.", ["bringing(theme=orange juice, beneficiary=Anna)"]),
-        ("show me the way to the bathroom", ["guiding(cotheme=me, goal=the bathroom)"]),
         (
             "Ask the woman sitting on the sofa for her name.",
             ["asking(addressee=the woman sitting on the sofa, message=her name)"],

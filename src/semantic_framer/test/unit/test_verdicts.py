@@ -22,7 +22,7 @@ def test_order() -> None:
         "number_is_no_place one_place two_phrases "
         "subject_of_a_question way_is_no_place wisher_is_not_sought degree_is_no_thing "
         "side_is_no_thing side_of_the_place_before deed_is_no_thing "
-        "listed_elsewhere says_less report performer nothing_fits verb_class condition "
+        "listed_elsewhere says_less report performer nothing_fits condition verb_class "
         "incomplete less_likely_asked wrong_type leaves_more_over doubtful_type lists_less told_inside words_outside"
     ).split()
 

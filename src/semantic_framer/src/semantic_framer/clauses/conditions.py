@@ -10,6 +10,7 @@ from itertools import dropwhile
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.event_conditions import (
+    CONDITION_OF_DEED,
     event_condition,
     passive_condition,
     state_condition,
@@ -84,6 +85,7 @@ def read_condition(
     *,
     is_until: bool = False,
     must_last: bool = False,
+    is_of_the_past: bool = False,
     somebody: int = 0,
 ) -> Optional[ConditionPart]:
     """Read some words as a condition.
@@ -94,6 +96,8 @@ def read_condition(
         positions: of the words, in order
         is_until: whether "until" stands before them, so that a place means to be there: "until the wall"
         must_last: whether "while" stands before them: what happens in a moment cannot go on
+        is_of_the_past: whether the log is asked what the robot has done, also where a server watches the like: "if you
+            have found the pen" is no wait until it sees one
         somebody: position of a word that means one of many: "greet *everybody* who comes in"; 0 for none
     Returns:
         None if one of the words is not understood
@@ -103,9 +107,9 @@ def read_condition(
     if somebody:
         one = _read_one(sentence, known, positions, is_until, somebody)
         return one if one is not None and happens(one, sentence.tree, known.frames) else None
-    read = _read_whole(
-        sentence, known, [index for index in positions if sentence.word(index).upos != "PUNCT"], is_until
-    )
+    plain = [index for index in positions if sentence.word(index).upos != "PUNCT"]
+    deed = _by_log(sentence, known, plain) if is_of_the_past else None
+    read = deed or _read_whole(sentence, known, plain, is_until)
     return None if read is None or (must_last and is_momentary(read, known.frames)) else read
 
 
@@ -179,14 +183,29 @@ def _read_one(
     if said is not None and said.forms:
         found += _by_trees(sentence, known, positions, said, somebody)
     if said is None or not found:
-        features = None if somebody else features_among(sentence.tree, positions)
-        event = event_condition(sentence, known, features, frozenset(positions)) if features is not None else None
-        if event is None:
-            return None
-        return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
+        return None if somebody else _by_event(sentence, known, positions)
     # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
     best = max(found, key=lambda reading: len(reading.verb_positions))
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
+
+
+def _by_event(
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], *, is_of_the_past: bool = False
+) -> Optional[ConditionPart]:
+    features = features_among(sentence.tree, positions)
+    if features is None:
+        return None
+    event = event_condition(sentence, known, features, frozenset(positions), is_of_the_past=is_of_the_past)
+    if event is None:
+        return None
+    return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
+
+
+def _by_log(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[ConditionPart]:
+    """Read what the robot has done, or has not; None for anything else."""
+    event = _by_event(sentence, known, positions, is_of_the_past=True)
+    reading = event.reading if event is not None else None
+    return event if reading is not None and reading.unit.frame_name == CONDITION_OF_DEED else None
 
 
 def _read_by_patterns(sentence: Sentence, known: FramedLexicon, said: _Words, is_until: bool) -> List[Reading]:

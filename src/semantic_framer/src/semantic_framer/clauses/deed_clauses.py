@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
-from semantic_framer.clauses.readings import plausible_readings
+from semantic_framer.clauses.readings import meant_readings
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
 from semantic_framer.kinds.clause_features import ClauseFeatures
@@ -104,7 +104,7 @@ class DeedClause:
         clause = replace(clause, subject=self.features.agent if self.is_of_robot else 0)
         of = replace(self._case, sentence=self._sentence, clauses=(clause,), kinds=self._case.kinds[:1])
         asking = ClauseCase(of, clause, match_verbs(tree, clause, self._known))
-        for reading in plausible_readings(asking):
+        for reading in meant_readings(asking):
             if self._is_whole(reading, clause):
                 return replace(reading, clause_text=self._words(clause))
         return None

@@ -114,7 +114,12 @@ class EventCondition(NamedTuple):
 
 
 def event_condition(
-    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
+    sentence: Sentence,
+    known: FramedLexicon,
+    features: ClauseFeatures,
+    words: FrozenSet[int],
+    *,
+    is_of_the_past: bool = False,
 ) -> Optional[EventCondition]:
     """Read some words as a condition about a deed; None if they are about none that anybody can notice.
 
@@ -123,6 +128,7 @@ def event_condition(
         known: lexical units and frames
         features: of the clause
         words: positions of all of its words
+        is_of_the_past: whether the log is asked what has been done; a wait is no condition of what is to come
     """
     top = features.top
     if sentence.word(top).upos != "VERB":
@@ -138,7 +144,7 @@ def event_condition(
     if clause.is_of_robot:
         if any(child.form.lower() == _AFTER for child in sentence.children(top)):
             return None  # "After you have closed the door, go": it shall close it first.
-        return _of_robot(known, clause, deed) if features.aspect in _DONE else None
+        return _of_robot(known, clause, deed, is_of_the_past) if features.aspect in _DONE else None
     result = known.frames[deed.unit.frame_name].results_in
     reading = None
     if result is not None and features.aspect in (Aspect.PRESENT, *_DONE) and result.frame in known.frames:
@@ -167,8 +173,10 @@ def _words_read(sentence: Sentence, clause: DeedClause, deed: Reading) -> Frozen
     return frozenset([top]).union(clause.features.auxiliaries, agent, arguments, deed.verb_positions, marks)
 
 
-def _of_robot(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional[EventCondition]:
-    is_wait = known.frames[deed.unit.frame_name].framenet == _WAITING
+def _of_robot(
+    known: FramedLexicon, clause: DeedClause, deed: Reading, is_of_the_past: bool
+) -> Optional[EventCondition]:
+    is_wait = known.frames[deed.unit.frame_name].framenet == _WAITING and not is_of_the_past
     if CONDITION_OF_DEED not in known.frames or is_wait or _is_open(deed):
         return None
     reading = _reading(deed, CONDITION_OF_DEED, clause.argument(deed, "statement"))
@@ -188,10 +196,16 @@ def _of_act(known: FramedLexicon, clause: DeedClause, deed: Reading) -> Optional
 
 
 def _of_result(clause: DeedClause, deed: Reading, result: Result) -> Optional[Reading]:
-    """Return the reading of what a deed results in; None if it lacks what that is said of.
+    """Return the reading of what a deed results in; None if it lacks what that is said of, or says more.
 
-    "Agent" stands for whoever does it: who goes somewhere is there.
+    "Agent" stands for whoever does it: who goes somewhere is there. Who has taken the mug from the table has the mug,
+    but who has the mug did not always take it from there.
     """
+    if clause.features.is_passive and not clause.features.agent and AGENT in dict(result.elements).values():
+        return None  # Nobody is said who could have it then.
+    told = {AGENT, *dict(result.elements).values()}
+    if any(argument.source is Source.SAID and argument.name not in told for argument in deed.arguments):
+        return None
     arguments = []
     for name, value in result.elements:
         found = clause.agent() if value == AGENT else deed.argument(value)

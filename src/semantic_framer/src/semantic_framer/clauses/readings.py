@@ -10,6 +10,7 @@ from semantic_framer.filling.slight_amounts import stated
 from semantic_framer.filling.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.judging.verdicts import (
     CLAUSE_VERDICTS,
+    COMPARING,
     DOMINATED,
     PLAUSIBILITY,
     READING_VERDICTS,
@@ -206,6 +207,14 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
         for reading, words in said
     )
     return tuple(sorted(judged, key=rank))
+
+
+def meant_readings(case: ClauseCase) -> Tuple[Reading, ...]:
+    """Return the readings of a clause that may be meant, whatever its mood, best first."""
+    kept = plausible_readings(case)
+    for verdict in COMPARING:
+        kept = _drop([verdict], case, kept, kept, None)
+    return kept
 
 
 def _with_what_is_heeded(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> Reading:

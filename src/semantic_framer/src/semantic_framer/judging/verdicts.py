@@ -22,6 +22,7 @@ from semantic_framer.values.outcome import (
 from semantic_framer.values.reading import Reading, rank
 from semantic_framer.values.sentence import Sentence
 from semantic_types.parts_of_speech import VERB, parts_of_speech
+from typed_arguments import TypedArgument
 from utterance_passes.phrases.clauses import Clause, shared_subject
 from utterance_passes.phrases.measures import amounts_of
 from utterance_passes.phrases.verb_matching import VerbMatch
@@ -200,15 +201,26 @@ CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
 # --- implausible readings
 
 
-def _of_any_value(judge: Callable[[Filled], bool]) -> Drops:
-    """Judge a reading by each of its values, except words that its unit lists ("give me 5")."""
+def _of_any_value(judge: Callable[[Filled], bool], *, also_of_listed_type: bool = False) -> Drops:
+    """Judge a reading by each of its values, except words that its unit lists ("give me 5").
+
+    Args:
+        judge: whether a value speaks against its reading
+        also_of_listed_type: whether it judges words of which the unit lists only the type, too
+    """
+
+    def is_listed(reading: Reading, value: TypedArgument) -> bool:
+        if value.head_position not in reading.listed:
+            return False
+        named = (relation.name for relation in reading.unit.relations if relation.words)
+        return not also_of_listed_type or value.name in named
 
     def drops(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
         frames = case.of.known.frames
         return any(
             judge(Filled(value, reading, beside, frames[reading.unit.frame_name], case.sentence.tree))
             for value in reading.arguments
-            if value.head_position and value.head_position not in reading.listed
+            if value.head_position and not is_listed(reading, value)
         )
 
     return drops
@@ -219,7 +231,7 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "noun_of_another_verb",
         'A noun fills an element though it is part of the verb of another unit: "take a look".',
-        _of_any_value(plausibility.is_noun_of_a_verb),
+        _of_any_value(plausibility.is_noun_of_a_verb, also_of_listed_type=True),
     ),
     ReadingVerdict(
         "measured_elsewhere",
@@ -415,13 +427,10 @@ def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...])
     return any(reading.listed < one.listed or named < one.listed.union(one.verb_positions) for one in beside)
 
 
-#: The verdicts run one after the other; each compares a reading with the remaining ones, likeliest first.
-READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
-    ReadingVerdict("report", "It tells how something is, and the unit is not about its subject.", _is_no_fact, _report),
-    ReadingVerdict("performer", "The unit is about who is to do something.", _is_about_its_performer),
-    ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
+#: Which of several readings is meant, in any mood. The verdicts run one after the other; each compares a reading with
+#: the remaining ones, likeliest first.
+COMPARING: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict("verb_class", "Its verb comes from the lexicon, and a unit that lists the verb fits.", _is_of_class),
-    ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
     ReadingVerdict(
         "less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked
@@ -440,4 +449,12 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less
     ),
+)
+#: Of a command: whether it is one for now, and then which reading is meant.
+READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict("report", "It tells how something is, and the unit is not about its subject.", _is_no_fact, _report),
+    ReadingVerdict("performer", "The unit is about who is to do something.", _is_about_its_performer),
+    ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
+    ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
+    *COMPARING,
 )

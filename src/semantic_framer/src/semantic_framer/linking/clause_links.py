@@ -27,6 +27,8 @@ _BEFORE_MESSAGES = word_class("whether_words") | frozenset(["that"])
 _LIMITS = word_class("limits_before_times")
 _TIMES = word_class("iteration_adverbs")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
+#: Links behind which the log says what the robot has done: it is decided now.
+_OF_THE_PAST = frozenset([LinkKind.IF, LinkKind.UNLESS])
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
@@ -204,6 +206,7 @@ class _Finder:
                 [word.index for word in words],
                 is_until=link.kind is LinkKind.UNTIL,
                 must_last=link.kind is LinkKind.WHILE,
+                is_of_the_past=link.kind in _OF_THE_PAST or (link.kind is LinkKind.UNTIL and bool(self._denial())),
             )
             if condition is not None:
                 return self._put_off(self._joint(link, place, end, length, condition)), end
@@ -217,6 +220,11 @@ class _Finder:
         said = joint.condition.reading if joint.condition is not None else None
         if joint.kind is not LinkKind.UNTIL or said is None or said.unit.frame_name != CONDITION_OF_DEED:
             return joint
+        denial = self._denial()
+        return replace(joint, kind=LinkKind.WHEN, positions=joint.positions | denial) if denial else joint
+
+    def _denial(self) -> FrozenSet[int]:
+        """Return the words that make a prohibition of the sentence: "*do not* say hello"; none if it is none."""
         tree = self.sentence.tree
         (top,) = tree.children(0)[:1]
         children = tree.children(top.index)
@@ -224,9 +232,8 @@ class _Finder:
         forms = [child.form.lower() for child in denying]
         is_denied = len(forms) == 2 and forms[0] in _DO and forms[1] in _NEGATIONS
         if not is_denied or any(child.deprel.startswith("nsubj") for child in children):
-            return joint
-        positions = joint.positions.union(child.index for child in denying)
-        return replace(joint, kind=LinkKind.WHEN, positions=positions)
+            return frozenset()
+        return frozenset(child.index for child in denying)
 
     def _checked(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a condition that is checked first: "*check if the door is open, and if so,* close it", "*is the door

@@ -15,6 +15,7 @@ from semantic_framer.kinds.question_orders import length_of_opening
 from semantic_framer.queries.questions import only_asks, spelling
 from semantic_framer.referring.references import resolve
 from semantic_framer.referring.world_references import refer
+from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.reading import Reading
@@ -74,6 +75,10 @@ def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
     (deed,) = found[0].arguments[0].frames
     # "Can you fetch newspapers from the kitchen" names a kind; "can you bring me cups" wants some.
     said = [element for element in deed.frame_elements if _is_object(element, case.sentence)]
+    frame = case.known.frames[deed.frame_name]
+    places = {element.name for element in frame.frame_elements if element.framenet in PLACES}
+    # "Can you show guests where the bathroom is."
+    said = [element for element in said if element.name not in places] or said
     is_general = bool(said) and all(map(_is_kind, said))
     is_courteous = any(word.form.lower() == _PLEASE for word in case.sentence.tree.words)
     return found if is_general and not is_courteous else ()

@@ -3,7 +3,7 @@
 import os
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Callable, Dict, FrozenSet, List, Mapping, Protocol
+from typing import Callable, Dict, FrozenSet, List, Mapping, Protocol, Sequence
 
 import yaml
 
@@ -265,4 +265,10 @@ FRAMES: Dict[str, Callable[[Conditions, Frame], bool]] = {
     "condition_of_starting": Conditions.has_started,
     "condition_of_ending": Conditions.has_ended,
 }
-__all__ = ["FRAMES", "CannotTell", "Conditions", "Sight"]
+#: By frame, what the server states when it registers, so that the robot refuses at once what nobody could tell: what
+#: somebody else sees, and states that nothing shows.
+STATEMENTS: Mapping[str, Mapping[str, Mapping[str, Sequence[str]]]] = {
+    "condition_of_perceiving": {"heeds": {"perceiver": sorted(HEARERS)}},
+    "condition_of_state": {"heeds": {"state": sorted(_states())}},
+}
+__all__ = ["FRAMES", "STATEMENTS", "CannotTell", "Conditions", "Sight"]

@@ -9,6 +9,7 @@ from std_msgs.msg import String
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.conditions import FRAMES as CONDITIONS
+from home_servers.conditions import STATEMENTS as WATCHED
 from home_servers.conditions import CannotTell, Conditions
 from home_servers.frames import DOMAINS, STATEMENTS, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
@@ -75,7 +76,7 @@ class HomeServers:
         self._body.listen(self._watch.changed)
         self._watch.start()
         for condition in CONDITIONS:
-            self._watch.register_with_frame(condition)
+            self._watch.register_with_frame(condition, **WATCHED.get(condition, {}))
 
     def _on_speaker(self, message: String) -> None:
         self._speaker = message.data or self._settings.speaker

@@ -9,7 +9,7 @@ from enum import Enum
 from typing import Callable, Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Tuple
 
 from mood_matrix.english import NounPhrase, gerund_of, participle_of, sentence, words
-from mood_matrix.units import Served, Unit, words_of
+from mood_matrix.units import AGENT, Served, Unit, words_of
 
 #: Rows for scoring only.
 FROZEN = frozenset([4, 9, 11, 13, 16, 19, 21, 24])
@@ -183,19 +183,25 @@ class _Case:
         found += [self.served.states.get(word, "") for word in found]
         return tuple(dict.fromkeys(word for word in found if word))
 
-    @property
-    def things(self) -> Tuple[str, ...]:
-        """What stands in a relation, or is in a state, after the deed."""
-        named = tuple(text for name, text in self.unit.result.items() if name != "state")
+    def things(self, agent: str) -> Tuple[str, ...]:
+        """Return what stands in a relation, or is in a state, after the deed of somebody."""
+        named = tuple(agent if text == AGENT else text for name, text in self.unit.result.items() if name != "state")
         return named or (self.predicate.object,)
 
     @property
     def result_is_seen(self) -> bool:
+        """Whether a shipped server sees what the deed results in."""
+        result = self.unit.result
+        return bool(result) and result.get("state", "open") in self.served.states
+
+    @property
+    def passive_is_seen(self) -> bool:
         """Whether a shipped server sees the state that is said in the passive: "closed", "switched on"."""
         said = self.predicate.passive(participle_of(self.predicate.verb)).split()
         # "Closed", "switched on": one word, or the last of two.
         last = set(said[-1:] if len(said) < 3 else ())
-        return bool(self.unit.result) or bool(last & set(self.served.states))
+        is_of_nobody = AGENT not in self.unit.result.values()
+        return (self.result_is_seen and is_of_nobody) or bool(last & set(self.served.states))
 
 
 def _consequence(unit: Unit) -> Tuple[str, Deed]:
@@ -336,7 +342,7 @@ def _who(case: _Case) -> _Made:
 
 
 def _when_somebody(case: _Case) -> _Made:
-    is_noticed = case.unit.frame in case.served.events or bool(case.unit.result)
+    is_noticed = case.unit.frame in case.served.events or case.result_is_seen
     text = f"when {case.person} {case.predicate.said_of('of_her').third()}, {case.hello}"
     return sentence(text), Expected(
         case.by_person,
@@ -345,7 +351,7 @@ def _when_somebody(case: _Case) -> _Made:
         form="subordinate",
         embedded_in="when",
         then=case.then,
-        things=case.things,
+        things=case.things(case.person),
         states=case.states,
         watched_as=tuple(case.served.events.get(case.unit.frame, ())),
     )
@@ -377,11 +383,11 @@ def _until_in_state(case: _Case) -> _Made:
     text = f"wait until {subject} {be} {case.predicate.passive(participle_of(case.predicate.verb))}"
     return sentence(text), Expected(
         case.deed,
-        Outcome.WAIT if case.result_is_seen else Outcome.CANNOT_NOTICE,
+        Outcome.WAIT if case.passive_is_seen else Outcome.CANNOT_NOTICE,
         agent=NOBODY,
         form="subordinate",
         embedded_in="until",
-        things=case.things,
+        things=case.things(NOBODY),
         states=case.states,
     )
 
@@ -408,7 +414,7 @@ def _report(case: _Case) -> _Made:
         agent=case.person,
         form="declarative",
         aspect="done",
-        things=case.things,
+        things=case.things(case.person),
         states=case.states,
     )
 

@@ -10,10 +10,11 @@ from typing import Callable, FrozenSet, Iterator, Mapping, Optional, Tuple
 
 from mood_matrix.constructions import NOBODY, ROBOT, Deed, Expected, Outcome, Sentence
 from mood_matrix.english import NounPhrase
-from mood_matrix.units import words_of
+from mood_matrix.units import Served, words_of
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_framer.values.clause_plan import CONDITION, PlanPart, leaves_of
 from semantic_framer.values.reading import Reading
+from semantic_frames.server_profile import HeededElement, Purpose, ServerProfile
 from typed_arguments import EmbeddedFrame, Source, TypedArgument
 
 #: The frame of a question about a deed, and its elements.
@@ -24,8 +25,8 @@ PATTERNS_WITH_DEED: Mapping[str, Tuple[str, str]] = {"question_of_reason": ("why
 PROHIBITED = frozenset(["NEGATED"])
 #: Nothing happens, and the reply says that no command was heard.
 NOTHING_TO_NOTE = frozenset(["REPORT"])
-#: No server watches the condition; the reply names it.
-CANNOT_NOTICE = frozenset(["NO_SERVER"])
+#: No server watches the condition, or none for whom or what was said; the reply names it.
+CANNOT_NOTICE = frozenset(["NO_SERVER", "VALUE_NOT_ALLOWED"])
 #: Frames of states: what is noted of a report, and what is waited for beside the event itself.
 STATES = frozenset(
     [
@@ -90,13 +91,21 @@ class Judge:
 
     Args:
         pipeline: the stages from text to candidates
+        served: what shipped servers do and watch
     """
 
-    def __init__(self, pipeline: Pipeline) -> None:
+    def __init__(self, pipeline: Pipeline, served: Served) -> None:
         self._pipeline = pipeline
-        # Nobody watches it on a robot as it is shipped, whatever is pretended.
-        pipeline.knowledge.graph.set_dead(UNWATCHED)
-        frames = pipeline.knowledge.frames
+        # What nobody watches on a robot as it is shipped, whatever is pretended.
+        graph, frames = pipeline.knowledge.graph, pipeline.knowledge.frames
+        graph.set_dead(UNWATCHED)
+        for frame, element, values in (
+            ("condition_of_state", "state", served.states),
+            ("condition_of_perceiving", "perceiver", served.perceivers),
+        ):
+            if frame in frames:
+                heeded = HeededElement(element, values=tuple(values))
+                graph.register(frame, frame, ServerProfile(purpose=Purpose.WATCHES, heeds=(heeded,)))
         self._idle: FrozenSet[str] = frozenset(
             name for name, frame in frames.items() if frame.is_question or frame.is_condition
         ) | (_IDLE | STATES)

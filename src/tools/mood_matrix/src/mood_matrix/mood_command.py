@@ -79,7 +79,7 @@ def run_mood(arguments: argparse.Namespace, pipeline: Pipeline, folder: Path) ->
     if not sentences:
         print("rfn score: no sentence of the matrix is in these rows and domains", file=sys.stderr)
         return 2
-    judge = Judge(pipeline)
+    judge = Judge(pipeline, load_served(load_frames(folder)))
     judged = [judge.judge(sentence) for sentence in sample_of(sentences, arguments.sample, arguments.seed)]
     shown = [one for one in judged if arguments.open_frozen or not one.sentence.is_frozen]
     if arguments.wrong:

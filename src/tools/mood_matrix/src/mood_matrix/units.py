@@ -15,6 +15,8 @@ from mood_matrix.english import NounPhrase, Predicate, words
 
 #: The parser of libyaml, if there is one, is many times faster.
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+#: What a frame file calls whoever carries the frame out.
+AGENT = "agent"
 _POLITE = re.compile(r"^(?:please )?(?P<text>.*?)(?:,? please)?\.?$", re.IGNORECASE)
 
 
@@ -30,8 +32,8 @@ class Unit:
         defaults: texts of the elements that it does not say
         object_element: name of the element that the direct object fills; empty for none
         embeds: whether the example has a clause inside: "ask Alice to wait"
-        result: texts of what the deed results in, by element of the frame that says so; empty if the frame
-            file names no result, or the example does not say what it is said of
+        result: texts of what the deed results in, by element of the frame that says so; :data:`AGENT` stands for
+            whoever does it; empty if the frame file names no result, or the example does not say all of it
     """
 
     domain: str
@@ -62,11 +64,13 @@ class Served:
         frames: they carry these out
         states: words for states of things that they see, each with the name of the state
         events: frames of deeds of persons that they notice, each with the frames of the conditions that they watch
+        perceivers: words for those of whom they can tell what they see
     """
 
     frames: FrozenSet[str]
     states: Mapping[str, str]
     events: Mapping[str, Sequence[str]]
+    perceivers: Sequence[str]
 
 
 def load_served(frames: Mapping[str, Mapping[str, Any]]) -> Served:
@@ -85,7 +89,7 @@ def load_served(frames: Mapping[str, Mapping[str, Any]]) -> Served:
             if name not in found and any(found.issuperset(sequence) for sequence in _sequences(frame))
         }
         if not more:
-            return Served(frozenset(found), data["states"], data["events"])
+            return Served(frozenset(found), data["states"], data["events"], data["perceivers"])
         found |= more
 
 
@@ -145,16 +149,22 @@ def _unit(domain: str, entry: Mapping[str, Any], frame: Mapping[str, Any]) -> Op
             defaults={name: str(value) for name, value in filled.items() if name not in elements},
             object_element=object_element,
             embeds=_embeds(predicate, elements),
-            result=_result(frame, elements),
+            result=_result(frame, {name: str(value) for name, value in filled.items()}),
         )
     return None
 
 
 def _result(frame: Mapping[str, Any], elements: Mapping[str, str]) -> Mapping[str, str]:
-    """Fill what a frame results in with the elements of an example; nothing if one of them is not said."""
-    own = {element["name"] for element in frame.get("frame_elements") or ()}
+    """Fill what a frame results in with the elements of an example, which may be the verb's own ("refrigerate").
+
+    Returns:
+        the text of each element; nothing if the example does not say one of them, or says more than the result
+    """
+    own = {element["name"] for element in frame.get("frame_elements") or ()} - {AGENT}
     named = {name: str(value) for name, value in (frame.get("results_in") or {}).items() if name != "frame"}
     if any(value in own and value not in elements for value in named.values()):
+        return {}
+    if not set(elements) <= {AGENT, *named.values()}:
         return {}
     return {name: elements[value] if value in own else value for name, value in named.items()}
 

@@ -63,13 +63,16 @@ def test_what_is_waited_for_and_noted_is_what_the_frame_names_as_its_result(tmp_
         "examples": {"Iron the shirt.": {"item": "the shirt"}},
     }
     plain = said(unit_of(tmp_path, unit, {"name": "ironing"}), tmp_path)
-    state = {"frame": "condition_of_state", "theme": "item", "state": "smooth"}
+    state = {"frame": "condition_of_state", "theme": "item", "state": "folded"}
     result = {"name": "ironing", "results_in": state, "frame_elements": [{"name": "item"}, {"name": "place"}]}
     known = said(unit_of(tmp_path, unit, result), tmp_path)
     outcomes = [plain[row].expected.outcome for row in (17, 20, 23)]
     assert outcomes == [Outcome.CANNOT_NOTICE, Outcome.CANNOT_NOTICE, Outcome.NOTHING_TO_NOTE]
     assert [known[row].expected.outcome for row in (17, 20, 23)] == [Outcome.WAIT, Outcome.WAIT, Outcome.NOTE]
-    assert (known[20].expected.things, known[20].expected.states) == (("the shirt",), ("smooth", "ironed"))
+    assert (known[20].expected.things, known[20].expected.states) == (("the shirt",), ("folded", "ironed"))
+    smooth = said(unit_of(tmp_path, unit, {**result, "results_in": {**state, "state": "smooth"}}), tmp_path)
+    outcomes = [smooth[row].expected.outcome for row in (17, 20, 23)]
+    assert outcomes == [Outcome.CANNOT_NOTICE, Outcome.CANNOT_NOTICE, Outcome.NOTE]
     place = {"frame": "condition_of_place", "theme": "item", "location": "place"}
     unsaid = said(unit_of(tmp_path, unit, {**result, "results_in": place}), tmp_path)
     assert unsaid[17].expected.outcome is Outcome.CANNOT_NOTICE

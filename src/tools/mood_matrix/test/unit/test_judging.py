@@ -8,6 +8,7 @@ import pytest
 from mood_matrix.constructions import Sentence
 from mood_matrix.judging import Judge, Verdict
 from mood_matrix.mood_command import cause_table, matrix, row_table, sample_of, share_right, total_table
+from mood_matrix.units import load_frames, load_served
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline, Reply, Understanding
 from roboframenet_testing.workspace import package
@@ -32,7 +33,7 @@ def pipeline() -> Pipeline:
 
 @pytest.fixture(scope="module")
 def judge(pipeline: Pipeline) -> Judge:
-    return Judge(pipeline)
+    return Judge(pipeline, load_served(load_frames(DOMAINS)))
 
 
 @pytest.fixture(scope="module")
@@ -40,9 +41,9 @@ def locking(pipeline: Pipeline) -> Reading:
     return pipeline.understand("Lock the door.").readings[0]
 
 
-def about(frame: str) -> Dict[int, Sentence]:
-    """Return the sentences about a deed, by row."""
-    return {one.row: one for one in matrix(DOMAINS) if one.expected.deed.frame == frame}
+def about(frame: str, thing: str = "") -> Dict[int, Sentence]:
+    """Return the sentences about a deed, and about a thing if one is given, by row."""
+    return {one.row: one for one in matrix(DOMAINS) if one.expected.deed.frame == frame and thing in one.text}
 
 
 @pytest.fixture(scope="module")
@@ -132,27 +133,28 @@ def test_a_stop_is_acted_on_wrongly_where_none_was_meant(judge: Judge, rows: Dic
     assert judge.verdict(rows[6], answered()).verdict is Verdict.ACTED
 
 
-def test_refusals_are_right_where_they_say_why(judge: Judge, rows: Dict[int, Sentence]) -> None:
-    unseen = about("ironing")
+def test_refusals_are_right_where_they_say_why(judge: Judge) -> None:
+    unseen, seen = about("ironing"), about("closing")
     assert judge.verdict(unseen[6], refused("NEGATED")).verdict is Verdict.RIGHT
     assert judge.verdict(unseen[17], refused("NO_SERVER")).verdict is Verdict.RIGHT
     assert judge.verdict(unseen[23], refused("REPORT")).verdict is Verdict.RIGHT
     for row in (6, 17, 23):
         assert judge.verdict(unseen[row], refused("STAGE_ERROR")).verdict is Verdict.REFUSED
     for row in (17, 20, 23):
-        assert judge.verdict(rows[row], refused("NO_SERVER")).verdict is Verdict.REFUSED
+        assert judge.verdict(seen[row], refused("NO_SERVER")).verdict is Verdict.REFUSED
 
 
 def test_what_somebody_does_is_waited_for_and_noted_by_its_result(
-    judge: Judge, pipeline: Pipeline, locking: Reading, rows: Dict[int, Sentence]
+    judge: Judge, pipeline: Pipeline, locking: Reading
 ) -> None:
+    rows = about("closing", "the door")
     hello = pipeline.understand("Say hello.").readings[0]
     waits = planned("SEQUENCE", planned("WAIT", condition()), DO_THEN)
     alone = planned("WAIT", condition())
     for thing, state, right in (
-        ("the door", "locked", Verdict.RIGHT),
-        ("the door", "closed", Verdict.ACTED),
-        ("the gate", "locked", Verdict.ACTED),
+        ("the door", "closed", Verdict.RIGHT),
+        ("the door", "open", Verdict.ACTED),
+        ("the gate", "closed", Verdict.ACTED),
     ):
         arguments = (TypedArgument("theme", thing), TypedArgument("state", state))
         state_said = renamed(locking, "condition_of_state", *arguments)
