@@ -61,8 +61,8 @@ class WrongFiles(Demand):
         """Read one file, as the nodes do."""
         import tempfile
 
+        from checked_files.source_files import read_text
         from semantic_frames import FileRefused, load_frame, load_lexical_units
-        from semantic_frames.source_files import read_text
 
         is_frame = chance.random() < 0.5
         content = malformed(chance.choice(self._frames if is_frame else self._units), chance)

@@ -20,11 +20,17 @@ def tree_of(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
+def holds(path: Path, *words: str) -> bool:
+    """Return whether a module holds one of some words: only such a module is parsed."""
+    text = path.read_text(encoding="utf-8")
+    return any(word in text for word in words)
+
+
 def declared_parameters() -> Dict[str, Set[str]]:
     """Return the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
     found: Dict[str, Set[str]] = {}
     for module, path in modules().items():
-        for node in ast.walk(tree_of(path)):
+        for node in ast.walk(tree_of(path)) if holds(path, "Parameters)") else ():
             if isinstance(node, ast.ClassDef) and any(getattr(base, "id", "") == "Parameters" for base in node.bases):
                 found[f"{module}.{node.name}"] = {
                     f"~{field.target.id}"
@@ -70,8 +76,8 @@ def parameters_in_code(package: Path) -> Set[str]:
     """Return the private parameters that a package reads, by a class or by a literal that begins with '~'."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
-        names |= parameters_read_by_class(path)
-        for node in ast.walk(tree_of(path)):
+        names |= parameters_read_by_class(path) if holds(path, "read_parameters") else set()
+        for node in ast.walk(tree_of(path)) if holds(path, '"~') else ():
             if (
                 isinstance(node, ast.Call)
                 and getattr(node.func, "attr", getattr(node.func, "id", "")) in READERS
@@ -131,7 +137,7 @@ def names_in_code(package: Path) -> Set[str]:
     """Return the topics, services and actions that a package opens by a literal name."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
-        for node in ast.walk(tree_of(path)):
+        for node in ast.walk(tree_of(path)) if holds(path, *OPENERS) else ():
             if (
                 isinstance(node, ast.Call)
                 and getattr(node.func, "attr", getattr(node.func, "id", "")) in OPENERS

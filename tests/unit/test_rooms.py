@@ -2,11 +2,11 @@
 
 import ast
 from pathlib import Path
-from typing import Dict, List, Set, Tuple
+from typing import Dict, List, Tuple
 
 import pytest
 
-from roboframenet_testing.workspace import modules, package
+from roboframenet_testing.workspace import imports, modules, package
 
 #: The rooms of each package, from the lowest up. What stands in no room may import all of them.
 ROOMS = {
@@ -37,17 +37,6 @@ def arrows(name: str) -> List[Arrow]:
             if room_of(imported) != room_of(module):
                 found.append((room_of(module), room_of(imported), f"{module} imports {imported}"))
     return found
-
-
-def imports(path: Path) -> Set[str]:
-    """Return the dotted names that a module imports, also inside functions."""
-    names: Set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
-            names.update({node.module} | {f"{node.module}.{alias.name}" for alias in node.names})
-    return names
 
 
 def upward(found: List[Arrow], order: List[str]) -> List[str]:

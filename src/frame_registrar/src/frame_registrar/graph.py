@@ -4,9 +4,9 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 import networkx
 
+from checked_files.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
+from checked_files.problem import FileRefused, Problem
 from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
-from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
-from semantic_frames.problem import FileRefused, Problem
 from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile, profile_problems
 
 #: Registrations come from the wire, and none is ever withdrawn.

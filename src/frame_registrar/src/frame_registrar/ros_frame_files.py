@@ -6,12 +6,12 @@ from typing import Dict, List, Sequence, Tuple
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, SourceFile
 
+from checked_files.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_messages import to_file_problems
 from roboframenet_ros.ros_place import Place
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 #: Written by the node, for its own restarts: files that were added while it ran.
 #: Private parameter.

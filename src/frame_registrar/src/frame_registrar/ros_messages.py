@@ -16,8 +16,8 @@ from roboframenet_msgs.msg import (
     PlanNode,
 )
 
+from checked_files import Problem
 from frame_registrar.search import Conditions, Found, Reading
-from semantic_frames import Problem
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import FilledFrame, TypedArgument
 from typed_arguments.ros_messages import SharedArguments, frame_to_message, from_message

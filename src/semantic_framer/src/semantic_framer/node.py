@@ -32,6 +32,7 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 from std_msgs.msg import String
 
+from checked_files.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from roboframenet_ros.command_ids import is_spoken
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.replays import OLDEST_OF_ALL_NS
@@ -57,7 +58,6 @@ from semantic_framer.values.outcome import Refusal, Understood, reply_outcome
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.read_once import ReadOnce
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.engine.trace import Trace

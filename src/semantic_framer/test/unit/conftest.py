@@ -5,6 +5,7 @@ from typing import Callable, Dict, Tuple
 
 import pytest
 
+from checked_files.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
 from roboframenet_testing.workspace import package
 from semantic_framer.framer import Outcome, Policy, read
 from semantic_framer.units.lexicon import Lexicon
@@ -12,7 +13,6 @@ from semantic_framer.values.dialogue import Context
 from semantic_framer.values.outcome import MEANING_ONLY
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
 from stanford_parser_ros.model import Parser, shipped_parser
 
 DOMAINS = package("roboframenet_domains") / "domains"

@@ -4,9 +4,9 @@ from typing import Any
 
 import pytest
 
+from checked_files.problem import FileRefused
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood
 from semantic_frames.extra_thematic import extra_thematic_elements, load_extra_thematic
-from semantic_frames.problem import FileRefused
 
 
 @pytest.mark.parametrize(

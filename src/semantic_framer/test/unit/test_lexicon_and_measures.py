@@ -4,9 +4,9 @@ from typing import List, Tuple
 
 import pytest
 
+from checked_files import FileRefused
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.dialogue import is_no, is_yes
-from semantic_frames import FileRefused
 from utterance_passes.phrases.measures import find_amounts
 from utterance_passes.trees.tree import DependencyTree, Word
 

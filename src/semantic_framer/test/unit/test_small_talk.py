@@ -2,9 +2,9 @@
 
 import pytest
 
+from checked_files import FileRefused
 from semantic_framer.framer import Refusal
 from semantic_framer.sentences.small_talk import load_small_talk, shipped_small_talk, small_talk_of
-from semantic_frames import FileRefused
 from utterance_passes.trees.conllu import from_short
 from utterance_passes.trees.formula_file import Formula
 

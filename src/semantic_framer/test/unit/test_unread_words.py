@@ -2,8 +2,8 @@
 
 import pytest
 
+from checked_files import FileRefused
 from semantic_framer.judging.unread_words import MOST_UNREAD_WORDS, UNREAD_WORDS_FILE, load_unread_words
-from semantic_frames import FileRefused
 
 _MANY = f"- {{words: [{', '.join('w' * length for length in range(1, 42))}], reason: polite}}"
 

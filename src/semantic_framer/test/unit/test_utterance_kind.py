@@ -4,9 +4,9 @@ from typing import Any, Tuple
 
 import pytest
 
+from checked_files import FileRefused
 from semantic_framer.kinds.mood_file import MoodRule, UtteranceKind, load_moods, shipped_moods
 from semantic_framer.kinds.utterance_kind import kind_without_clause, kinds_of_clauses
-from semantic_frames import FileRefused
 from utterance_passes.phrases.clauses import find_clauses
 from utterance_passes.trees.conllu import from_short
 from utterance_passes.trees.vocabulary import Verbs

@@ -1,9 +1,10 @@
 """Where the packages of this workspace stand: found by their package.xml, whatever folders they are grouped in."""
 
+import ast
 import os
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, List, Tuple
+from typing import Dict, FrozenSet, List, Set, Tuple
 
 #: The folder into which this workspace was cloned.
 REPOSITORY = next(one for one in Path(os.path.realpath(__file__)).parents if (one / "pytest.ini").is_file())
@@ -35,6 +36,22 @@ def modules() -> Dict[str, Path]:
             parts = path.relative_to(folder / "src").with_suffix("").parts
             found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
     return found
+
+
+def imports(path: Path) -> FrozenSet[str]:
+    """Return the dotted names that a module imports, also inside functions: "os", and "typing" and "typing.Set"."""
+    return _imports_in(path.read_text(encoding="utf-8"))
+
+
+@lru_cache(maxsize=None)
+def _imports_in(text: str) -> FrozenSet[str]:
+    names: Set[str] = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            names.update({node.module} | {f"{node.module}.{alias.name}" for alias in node.names})
+    return frozenset(names)
 
 
 def module_name(path: Path) -> str:

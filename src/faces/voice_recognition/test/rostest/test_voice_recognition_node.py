@@ -12,9 +12,9 @@ from roboframenet_msgs.msg import FrameCallback, FrameCatalogue, FrameServers, L
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
+from checked_files.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from offline_pipeline.knowledge import shipped_domains
 from roboframenet_testing import wait_until
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 

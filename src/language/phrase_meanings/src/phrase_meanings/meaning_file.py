@@ -7,8 +7,8 @@ from typing import Dict, FrozenSet, Mapping, Optional, Sequence
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 MEANINGS_FILE = Path(__file__).resolve().parent / "meanings.yaml"

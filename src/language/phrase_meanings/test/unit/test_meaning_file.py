@@ -2,8 +2,8 @@
 
 import pytest
 
+from checked_files.problem import FileRefused
 from phrase_meanings.meaning_file import load_meanings, shipped_meanings
-from semantic_frames.problem import FileRefused
 from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
 

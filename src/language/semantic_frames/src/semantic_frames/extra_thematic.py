@@ -6,8 +6,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import FrozenSet, List, Mapping, Tuple
 
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 EXTRA_THEMATIC_FILE = Path(__file__).resolve().parent / "extra_thematic.yaml"

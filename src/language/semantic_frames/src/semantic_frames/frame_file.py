@@ -6,6 +6,7 @@ from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, describe, did_you_mean, line_of
 from semantic_frames.frame import (
     ConstantArgument,
     ElementMapping,
@@ -19,7 +20,6 @@ from semantic_frames.frame import (
     UnknownPolicy,
     ValueCondition,
 )
-from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
 from semantic_frames.roles import filler_of
 from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number

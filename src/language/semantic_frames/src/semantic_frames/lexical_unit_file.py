@@ -5,6 +5,8 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, did_you_mean, line_of
+from checked_files.problem import Problem
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import (
     SLOT_KINDS,
@@ -14,8 +16,6 @@ from semantic_frames.lexical_unit import (
     LexicalUnit,
     WordPattern,
 )
-from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
-from semantic_frames.problem import Problem
 from semantic_frames.relation_reader import RELATION_KEYS, read_relation
 from semantic_frames.roles import inherited, with_inherited
 

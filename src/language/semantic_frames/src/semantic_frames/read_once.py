@@ -2,7 +2,7 @@
 
 from typing import Callable, Dict, Generic, Iterable, List, Tuple, TypeVar, Union
 
-from semantic_frames.problem import FileRefused
+from checked_files.problem import FileRefused
 
 Content = TypeVar("Content")
 

@@ -4,8 +4,8 @@ from typing import Mapping, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, RelationPath
-from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.relation_names import (
     MEASURE,
     PLACE,

@@ -5,13 +5,13 @@ from functools import lru_cache
 from pathlib import Path
 from typing import List, Optional, Tuple
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
-from semantic_frames.marked_yaml import Reader
 from semantic_frames.relation_names import MEASURE
 from semantic_frames.relation_reader import RELATION_KEYS, read_relation
 from semantic_frames.semantic_type import read_semantic_types
-from semantic_frames.source_files import read_text
 
 ROLES_FILE = Path(__file__).parent / "roles.yaml"
 #: Stands for the values that the frame allows for an element.

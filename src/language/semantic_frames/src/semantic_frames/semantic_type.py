@@ -7,7 +7,7 @@ from typing import FrozenSet, Mapping, Optional, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
+from checked_files.marked_yaml import Reader, did_you_mean
 
 
 @dataclass(frozen=True)

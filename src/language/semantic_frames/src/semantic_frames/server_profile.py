@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Iterable, List, Optional, Sequence, Tuple
 
+from checked_files.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.extra_thematic import extra_thematic_names, extra_thematic_of_arguments
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.semantic_type import SEMANTIC_TYPES, with_parents
 from typed_arguments import TypedArgument
 from typed_arguments.attribute_names import RELATIONS

@@ -2,7 +2,7 @@
 
 from typing import List, Tuple
 
-from semantic_frames import FileRefused, Problem
+from checked_files import FileRefused, Problem
 from semantic_frames.read_once import ReadOnce
 
 

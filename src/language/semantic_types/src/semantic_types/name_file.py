@@ -2,8 +2,8 @@
 
 from typing import Dict, Iterable, List, Mapping, Sequence, Tuple
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
-from semantic_frames.problem import FileRefused, Problem
+from checked_files.marked_yaml import Reader, did_you_mean
+from checked_files.problem import FileRefused, Problem
 from semantic_frames.semantic_type import SEMANTIC_TYPES, read_semantic_types
 
 #: A robot's world has fewer named things.

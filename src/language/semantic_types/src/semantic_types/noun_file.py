@@ -5,7 +5,7 @@ from typing import Dict, List, Mapping, Optional, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, describe
+from checked_files.marked_yaml import Reader, describe
 from semantic_frames.semantic_type import read_semantic_type, read_semantic_types
 from semantic_types.wordnet import WordNet
 

@@ -4,8 +4,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Dict, FrozenSet, Set, Tuple
 
+from checked_files.source_files import read_text
 from semantic_frames.semantic_type import with_parents
-from semantic_frames.source_files import read_text
 from semantic_types.likelihood import UNTYPED, Likelihoods, of_names, of_weights
 from semantic_types.noun_file import NounFile, load_noun_file
 from semantic_types.wordnet import Sense, WordNet, shipped_wordnet

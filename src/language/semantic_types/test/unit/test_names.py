@@ -1,6 +1,6 @@
 import pytest
 
-from semantic_frames import FileRefused
+from checked_files import FileRefused
 from semantic_types import UNTYPED, WordTypes, checked_names, load_name_file
 from semantic_types.likelihood import Fit
 from semantic_types.name_file import MOST_NAMES

@@ -1,6 +1,6 @@
 import pytest
 
-from semantic_frames import FileRefused
+from checked_files import FileRefused
 from semantic_frames.semantic_type import SEMANTIC_TYPES, with_parents
 from semantic_types.likelihood import Fit
 from semantic_types.noun_file import load_noun_file

@@ -5,7 +5,7 @@ from typing import List, Pattern, Tuple
 
 import pytest
 
-from semantic_frames import FileRefused, Problem
+from checked_files import FileRefused, Problem
 from utterance_passes.asides.comparisons import comparisons
 from utterance_passes.asides.formulas import formulas
 from utterance_passes.asides.objections import objection

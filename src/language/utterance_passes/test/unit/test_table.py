@@ -27,10 +27,13 @@ from utterance_passes.engine.utterance_pass import (
     TreePass,
     WordPass,
     text_pass,
+    tree_pass,
 )
 from utterance_passes.table import NODES, PASSES, TEXT_PASSES
 from utterance_passes.trees.conllu import from_short
 from utterance_passes.trees.spelling import Spelling, as_said
+from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.vocabulary import Vocabulary
 
 
 def test_names_are_told_apart() -> None:
@@ -156,3 +159,14 @@ def test_what_a_pass_does_is_the_first_sentence_of_its_docstring(written: Option
             make(unchanged)
     else:
         assert make(unchanged) == TextPass("unchanged", what, Example("", ("",)), Kind.SPELLING, unchanged)
+
+
+def test_a_relation_that_does_not_exist_is_found_when_the_pass_is_made() -> None:
+    def unchanged(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+        """Do nothing."""
+        return tree
+
+    made = tree_pass(Kind.MEANING, Example("", ()), requires=["acl:relcl"], assigns=["obj"])(unchanged)
+    assert (made.requires, made.assigns) == ({"acl:relcl"}, {"obj"})
+    with pytest.raises(ValueError, match="unchanged names relations that do not exist: advlc"):
+        tree_pass(Kind.MEANING, Example("", ()), requires=["advlc", "conj"])(unchanged)

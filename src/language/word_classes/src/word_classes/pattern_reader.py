@@ -6,7 +6,7 @@ from typing import Iterable, Mapping, Pattern
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
+from checked_files.marked_yaml import Reader, did_you_mean
 from word_classes.shipped import word_class, word_classes
 
 #: Not the name of a group, "(?P<name>...)".

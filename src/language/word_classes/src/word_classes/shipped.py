@@ -4,8 +4,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import FrozenSet, Mapping, Optional, Tuple
 
-from semantic_frames.marked_yaml import did_you_mean
-from semantic_frames.source_files import read_text
+from checked_files.marked_yaml import did_you_mean
+from checked_files.source_files import read_text
 from word_classes.word_file import WordClass, load_word_classes
 
 #: The file is beside this module in the source, devel and install space.

@@ -5,7 +5,7 @@ from typing import Dict, List, Mapping, Optional, Set, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
+from checked_files.marked_yaml import Reader, did_you_mean, line_of
 
 KEYS = ("for", "includes", "words")
 

@@ -4,7 +4,7 @@ from typing import List
 
 import pytest
 
-from semantic_frames import FileRefused, Problem
+from checked_files import FileRefused, Problem
 from word_classes import load_word_classes
 
 COLOURS = "colours:\n  for: What a thing looks like.\n  words: red green\n"

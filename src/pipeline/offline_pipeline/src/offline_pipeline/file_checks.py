@@ -3,12 +3,12 @@
 import os
 from typing import Iterable, List, Optional, Tuple
 
+from checked_files.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
 from offline_pipeline.knowledge import Knowledge, load_files, pretend_servers, with_names
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer.framer import Understood, read
 from semantic_frames import Problem, check_lexical_unit
 from semantic_frames.lexical_unit import Example, LexicalUnit
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
 
 
 def load_paths(paths: Iterable[str], others: Iterable[str] = ()) -> Tuple[Knowledge, Tuple[str, ...]]:

@@ -6,12 +6,12 @@ from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Tuple
 
+from checked_files.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from frame_registrar.graph import FrameGraph
 from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_types import WordTypes, load_name_file, shipped_types
 
 

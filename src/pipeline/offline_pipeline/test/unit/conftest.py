@@ -6,9 +6,9 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def pipeline() -> Pipeline:
-    """The pipeline with the shipped domains; a test module may have its own."""
+    """The pipeline with the shipped domains, which no test changes; a test module may have its own."""
     knowledge = load_knowledge([shipped_domains()])
     pretend_servers(knowledge.graph)
     return Pipeline(knowledge)

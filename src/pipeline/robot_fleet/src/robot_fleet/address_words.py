@@ -7,7 +7,7 @@ from typing import Dict, FrozenSet, Iterable, List, Mapping, Sequence, Tuple
 
 import yaml
 
-from semantic_frames.source_files import read_text
+from checked_files.source_files import read_text
 
 #: The file is beside this module in the source, devel and install space.
 ADDRESSES_FILE = Path(__file__).resolve().parent / "addresses.yaml"

@@ -12,13 +12,13 @@ from roboframenet_msgs.msg import FileProblem, KnownName, KnownNames, World, Wor
 from roboframenet_msgs.srv import UpdateWorld, UpdateWorldRequest, UpdateWorldResponse
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
+from checked_files import FileRefused, Problem
+from checked_files.source_files import read_text
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.sqlite_file import StoreError
-from semantic_frames import FileRefused, Problem
-from semantic_frames.source_files import read_text
 from world_model.knowledge import Change, Knowledge, Refused
 from world_model.names import known_names
 from world_model.ros_messages import pose_from_message, update_from_message, world_to_message

@@ -19,7 +19,7 @@ from typing import Dict, List, Mapping, Optional, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
+from checked_files.marked_yaml import Reader, did_you_mean
 from world_model.knowledge import MOST_STORED
 from world_model.world_object import FILE, Pose, Relation, Sort, WorldObject, mistakes
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from semantic_frames import FileRefused
+from checked_files import FileRefused
 from world_model import Relation, Sort
 from world_model.world_file import load_world_file
 

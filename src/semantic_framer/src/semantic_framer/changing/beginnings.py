@@ -8,11 +8,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.phrase_table import PhraseTable
 from semantic_framer.values.sentence import Sentence
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 from utterance_passes.asides.objections import plain
 from utterance_passes.trees.formula_file import is_filler
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word

@@ -10,6 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import FrozenSet, Mapping, Optional, Tuple
 
+from checked_files.source_files import read_text
 from semantic_framer.values.outcome import (
     CORRECTION,
     PROHIBITION,
@@ -21,7 +22,6 @@ from semantic_framer.values.outcome import (
     Question,
     Refusal,
 )
-from semantic_frames.source_files import read_text
 from utterance_passes.asides.objections import forbids_first, plain
 from utterance_passes.trees.formula_file import Formula, any_of, is_filler, load_formulas
 from utterance_passes.trees.tree import DependencyTree

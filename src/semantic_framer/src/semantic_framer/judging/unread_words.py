@@ -3,9 +3,9 @@
 from functools import lru_cache
 from pathlib import Path
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from semantic_framer.values.phrase_table import PhraseTable
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 UNREAD_WORDS_FILE = Path(__file__).resolve().parent / "unread_words.yaml"

@@ -8,8 +8,8 @@ from typing import Dict, Mapping, Optional, Pattern, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from word_classes import fill_pattern, read_pattern
 
 #: Next to this module in the source, devel and install space.

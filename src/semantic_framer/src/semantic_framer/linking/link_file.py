@@ -8,9 +8,9 @@ from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from semantic_framer.values.phrase_table import PhraseTable
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"

@@ -7,9 +7,9 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import List, Optional, Pattern, Tuple
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from semantic_framer.values.outcome import TALK, Refusal
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 from utterance_passes.asides.objections import plain
 from utterance_passes.trees.formula_file import Formula, any_of, is_filler
 from utterance_passes.trees.tree import DependencyTree

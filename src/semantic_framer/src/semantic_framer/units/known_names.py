@@ -2,8 +2,8 @@
 
 from typing import Iterable, Sequence, Tuple
 
-from semantic_frames import FileRefused, Problem
-from semantic_frames.source_files import read_text
+from checked_files import FileRefused, Problem
+from checked_files.source_files import read_text
 from semantic_types import Names, WordTypes, checked_names, load_name_file
 
 

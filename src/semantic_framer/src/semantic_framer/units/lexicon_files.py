@@ -4,9 +4,9 @@ import threading
 from dataclasses import dataclass
 from typing import Callable, ContextManager, Iterable, List, Mapping, Tuple
 
+from checked_files.source_files import read_text, replace_problems
 from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_lexical_units
-from semantic_frames.source_files import read_text, replace_problems
 
 #: Files come from the wire, and none is ever withdrawn.
 MOST_FILES = 20_000

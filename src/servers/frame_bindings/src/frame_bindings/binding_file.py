@@ -6,12 +6,12 @@ from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, describe, is_empty
+from checked_files.problem import FileRefused
 from frame_bindings.condition_file import ConditionBinding, read_condition
 from frame_bindings.statements import read_statement
 from rfnserver.goal_binding import SOURCE_KEYS
 from rfnserver.results import BY_CONVENTION, ERROR_KEYS, ResultNames
-from semantic_frames.marked_yaml import Reader, describe, is_empty
-from semantic_frames.problem import FileRefused
 from semantic_frames.server_statement import STATEMENT_KEYS
 
 

@@ -6,10 +6,10 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, describe, did_you_mean, line_of
+from checked_files.problem import Problem
 from frame_bindings.field_conditions import ORDERED, Comparison, FieldCondition, Operand
 from frame_bindings.statements import read_statement
-from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
-from semantic_frames.problem import Problem
 from semantic_frames.server_statement import STATEMENT_KEYS
 from typed_arguments.parts import PARTS
 from word_classes import without_determiner

@@ -7,6 +7,8 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback
 
+from checked_files.problem import FileRefused
+from checked_files.source_files import read_text
 from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_conditions import BoundCondition
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
@@ -17,9 +19,7 @@ from rfnserver.results import ResultError
 from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
-from semantic_frames.problem import FileRefused
 from semantic_frames.server_statement import stated_profile
-from semantic_frames.source_files import read_text
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,11 @@ import genmsg.msgs
 import roslib.message
 import rospy
 
+from checked_files.problem import FileRefused, Problem
 from frame_bindings.condition_file import ConditionBinding, fields_below, path_problem
 from frame_bindings.field_conditions import NotComparable
 from rfnserver import ConditionServer, ConditionUnknown, Observed
 from rfnserver.ros_typed_frame import TypedFrame
-from semantic_frames.problem import FileRefused, Problem
 
 #: A topic that speaks only of changes, and that nobody publishes, is dead after this time, seconds.
 _WITHOUT_PUBLISHER_S = 2.0

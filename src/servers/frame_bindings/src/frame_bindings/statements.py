@@ -4,7 +4,7 @@ from typing import Any, Dict, Mapping, Sequence
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, is_empty
+from checked_files.marked_yaml import Reader, is_empty
 from semantic_frames.server_statement import ProfileError, stated_profile
 
 

@@ -6,10 +6,10 @@ from typing import Any, Dict, Tuple
 
 import pytest
 
+from checked_files.problem import FileRefused
 from frame_bindings.binding_file import load_bindings
 from frame_bindings.condition_file import ConditionBinding, fields_below, path_problem
 from frame_bindings.field_conditions import Comparison, FieldCondition, NotComparable, Operand
-from semantic_frames.problem import FileRefused
 from semantic_frames.server_statement import stated_profile
 from typed_arguments import Measure, TypedArgument
 

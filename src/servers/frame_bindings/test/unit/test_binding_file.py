@@ -4,9 +4,9 @@ from typing import Tuple
 
 import pytest
 
+from checked_files.problem import FileRefused
 from frame_bindings.binding_file import Kind, load_bindings
 from rfnserver.results import ResultNames
-from semantic_frames.problem import FileRefused
 from semantic_frames.server_profile import HeededElement
 from semantic_frames.server_statement import stated_profile
 

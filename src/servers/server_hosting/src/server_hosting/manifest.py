@@ -6,7 +6,7 @@ from xml.sax.saxutils import quoteattr
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, line_of
+from checked_files.marked_yaml import Reader, line_of
 
 MANIFEST_KEYS = ("frame", "frames", "server", "launch", "run", "start_timeout_s", "idle_s")
 LAUNCH_KEYS = ("package", "file", "arguments")

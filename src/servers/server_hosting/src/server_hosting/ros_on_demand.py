@@ -15,14 +15,14 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
 )
 
+from checked_files.problem import FileRefused
+from checked_files.source_files import read_text
 from rfnserver import RFNServer
 from rfnserver.results import BY_STATUS
 from rfnserver.ros_frame_adapter import conclude
 from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
-from semantic_frames.problem import FileRefused
-from semantic_frames.source_files import read_text
 from server_hosting.manifest import Manifest, by_frame, load_manifests
 from server_hosting.ros_launching import Launched, LaunchError
 from server_hosting.server_lease import ServerLease

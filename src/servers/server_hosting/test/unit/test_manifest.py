@@ -4,7 +4,7 @@ import xml.etree.ElementTree
 
 import pytest
 
-from semantic_frames.problem import FileRefused
+from checked_files.problem import FileRefused
 from server_hosting.manifest import by_frame, load_manifests
 from server_hosting.server_lease import ServerLease
 

@@ -77,7 +77,7 @@ def walls_of(plan: Plan) -> List[Wall]:
     return walls
 
 
-def _crosses(begin: Point, end: Point, walls: "NDArray[np.float64]") -> bool:
+def crosses(begin: Point, end: Point, walls: "NDArray[np.float64]") -> bool:
     """Whether a line crosses one of the walls."""
     if not len(walls):
         return False
@@ -89,6 +89,17 @@ def _crosses(begin: Point, end: Point, walls: "NDArray[np.float64]") -> bool:
         along = (ox * wy - oy * wx) / cross
         on_wall = (ox * dy - oy * dx) / cross
     return bool(np.any((np.abs(cross) > 1e-12) & (along > 1e-6) & (along < 1 - 1e-6) & (on_wall >= 0) & (on_wall <= 1)))
+
+
+def crosses_one(begin: Point, end: Point, wall: Wall) -> bool:
+    """Whether a line crosses a wall: the same as `crosses`, without arrays for a single wall."""
+    dx, dy = end[0] - begin[0], end[1] - begin[1]
+    wx, wy = wall[2] - wall[0], wall[3] - wall[1]
+    ox, oy = wall[0] - begin[0], wall[1] - begin[1]
+    cross = dx * wy - dy * wx
+    if abs(cross) <= 1e-12:
+        return False
+    return 1e-6 < (ox * wy - oy * wx) / cross < 1 - 1e-6 and 0 <= (ox * dy - oy * dx) / cross <= 1
 
 
 class Floor:
@@ -211,7 +222,7 @@ class Floor:
 
     def leads_through(self, door: str, begin: Point, end: Point) -> bool:
         """Whether a straight line leads through a door."""
-        return _crosses(begin, end, np.array([self._leaf(door)]))
+        return crosses_one(begin, end, self._leaf(door))
 
     def place_to_stand(
         self,
@@ -306,8 +317,8 @@ class Floor:
             end = tuple(
                 min(max(value, low + 0.02), high - 0.02) for value, (low, high) in zip(point, (entity.x_m, entity.y_m))
             )
-            return not _crosses(point, (end[0], end[1]), walls)
-        return not _crosses(point, self._plan.position(state, target), walls)
+            return not crosses(point, (end[0], end[1]), walls)
+        return not crosses(point, self._plan.position(state, target), walls)
 
     def _walls_seen(self, closed: FrozenSet[str]) -> "NDArray[np.float64]":
         if closed not in self._sights:
@@ -341,12 +352,12 @@ class Floor:
             end: of the line
             but: ids of tall furniture that does not count, because the end is in or on it
         """
-        if _crosses(begin, end, self._walls_seen(self.closed_doors(state))):
+        if crosses(begin, end, self._walls_seen(self.closed_doors(state))):
             return False
         tall = self._tall
         if any(ident in but for ident in self._tall_ids):
             tall = tall[[ident not in but for ident in self._tall_ids]]
-        return not _crosses(begin, end, tall)
+        return not crosses(begin, end, tall)
 
     def visible(self, state: State, *, eyes: str = ROBOT) -> Tuple[str, ...]:
         """Return the ids of what the robot, or a person, sees now.

@@ -7,7 +7,8 @@ y to the north.
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Dict, FrozenSet, Iterator, List, Mapping, Optional, Tuple, Union
+from functools import cached_property
+from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple, Union
 
 from roboframenet_sim.base import Pose
 
@@ -291,9 +292,14 @@ class Plan:
     #: Where persons go by turns: ids of furniture and rooms.
     habits: Mapping[str, Tuple[str, ...]] = field(default_factory=dict)
 
-    def of_kind(self, kind: str) -> Iterator[Entity]:
-        """Yield the entities of a kind."""
-        return (entity for entity in self.entities.values() if entity.kind == kind)
+    def of_kind(self, kind: str) -> Tuple[Entity, ...]:
+        """Return the entities of a kind; whoever drives asks for doors at each step."""
+        return self._by_kind.get(kind, ())
+
+    @cached_property
+    def _by_kind(self) -> Mapping[str, Tuple[Entity, ...]]:
+        kinds = {entity.kind for entity in self.entities.values()}
+        return {kind: tuple(one for one in self.entities.values() if one.kind == kind) for kind in kinds}
 
     def room_at(self, point: Point) -> str:
         """Return the id of the room of a point; empty outside."""

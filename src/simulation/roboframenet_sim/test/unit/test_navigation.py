@@ -1,11 +1,13 @@
 """Planning and path following on small grids."""
 
 import math
+import random
 
 import numpy as np
 import pytest
 
 from roboframenet_sim.base import DifferentialBase, Pose
+from roboframenet_sim.home_floor import crosses, crosses_one
 from roboframenet_sim.occupancy_grid import OccupancyGrid
 from roboframenet_sim.path_following import FollowingLimits, PathFollower
 from roboframenet_sim.planner import NoPath, is_clear, plan
@@ -96,3 +98,15 @@ def test_follower_that_is_there_says_so():
 def test_limits_that_make_no_sense_are_refused():
     with pytest.raises(ValueError, match="goal_tolerance_m"):
         FollowingLimits(goal_tolerance_m=-1.0)
+
+
+def test_a_line_crosses_one_wall_as_it_crosses_it_among_others() -> None:
+    numbers = random.Random(5)
+    found = []
+    for _ in range(500):
+        # Whole numbers: many lines touch an end, or are parallel.
+        x1, y1, x2, y2, *wall = (float(numbers.randint(0, 4)) for _ in range(8))
+        ends = (wall[0], wall[1], wall[2], wall[3])
+        found.append(crosses_one((x1, y1), (x2, y2), ends))
+        assert found[-1] == crosses((x1, y1), (x2, y2), np.array([ends])), (x1, y1, x2, y2, ends)
+    assert 50 < sum(found) < 450

@@ -15,12 +15,12 @@ from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader, line_of
+from checked_files.source_files import read_text
 from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedElement, AnnotatedFrame
 from frame_learning.corpus_mapping import CorpusMapping
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
-from semantic_frames.marked_yaml import Reader, line_of
-from semantic_frames.source_files import read_text
 
 Span = Tuple[int, int]
 SENTENCE_KEYS = ("text", "frame_name", "verb", "frame_elements")

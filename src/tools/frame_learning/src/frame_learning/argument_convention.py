@@ -9,8 +9,8 @@ from typing import Dict, FrozenSet, Mapping, NamedTuple, Optional, Sequence, Tup
 
 import yaml
 
+from checked_files.marked_yaml import Reader
 from frame_learning.annotated_commands import AnnotatedCommand
-from semantic_frames.marked_yaml import Reader
 
 #: Stands for every task.
 ALL = "all"

@@ -7,11 +7,11 @@ from typing import Dict, FrozenSet, Mapping, Optional
 
 import yaml
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from frame_learning.argument_convention import ArgumentConvention, read_convention
 from offline_pipeline.knowledge import shipped_domains
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 
 #: Marks an element that a corpus does not annotate.
 NOT_ANNOTATED = "-"

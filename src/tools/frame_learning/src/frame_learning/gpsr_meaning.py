@@ -9,12 +9,12 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
 
 import yaml
 
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import read_text
 from frame_learning.gpsr_commands import DrawnCommand
 from frame_learning.gpsr_grammar import Choice, Node, Reference, Slot, Word, read_expression
 from frame_learning.gpsr_grammar import Sequence as InSequence
 from offline_pipeline.knowledge import shipped_domains
-from semantic_frames.marked_yaml import Reader
-from semantic_frames.source_files import read_text
 
 _ELEMENT = re.compile(r"\[(?:(\d)\.)?([\w|]+)\s")
 #: Marks the beginning of an element in an expression; a number follows.

@@ -6,6 +6,8 @@ import sys
 from functools import lru_cache, partial
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
+from checked_files import FileRefused
+from checked_files.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
 from frame_learning.corpora import CORPORA
@@ -17,9 +19,7 @@ from offline_pipeline.knowledge import Knowledge, load_knowledge, load_texts, sh
 from semantic_framer.framer import Understood, read
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.outcome import MEANING_ONLY
-from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from utterance_passes.trees.tree import DependencyTree

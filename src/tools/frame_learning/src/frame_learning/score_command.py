@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 from typing import Callable, Dict, List, Mapping, Sequence, Tuple
 
+from checked_files import FileRefused
+from checked_files.source_files import LEXICAL_UNITS_FOLDER
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
 from frame_learning.annotated_sentences import sentences_of
 from frame_learning.corpora import CORPORA, PublishedFigures
@@ -27,8 +29,6 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import Parameters, Pipeline
 from semantic_framer.values.outcome import MEANING_ONLY
-from semantic_frames import FileRefused
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.inference import ModelError
 from world_model import World
 

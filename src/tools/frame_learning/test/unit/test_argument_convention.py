@@ -2,6 +2,7 @@
 
 import pytest
 
+from checked_files import FileRefused
 from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, command_of
 from frame_learning.argument_convention import Argument, annotated_arguments
 from frame_learning.corpora import CORPORA
@@ -11,7 +12,6 @@ from frame_learning.metrics import Answer, score
 from frame_learning.score_command import table, to_json
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from semantic_frames import FileRefused
 
 #: A sentence of each convention, and its arguments as tagE would annotate them: trigger, type, text.
 SENTENCES = {

@@ -5,6 +5,7 @@ from argparse import ArgumentParser
 
 import pytest
 
+from checked_files import FileRefused
 from frame_learning import score_command
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.gpsr_commands import draw_commands
@@ -23,7 +24,6 @@ from frame_learning.gpsr_meaning import load_gpsr_mapping, read_gpsr_mapping
 from frame_learning.gpsr_score import Judged, Verdict, by_category, causes, judge
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from semantic_frames import FileRefused
 
 GRAMMAR = """\ufeff; grammar name Garden
 ; import common.txt

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from checked_files import FileRefused
+from checked_files.source_files import LEXICAL_UNITS_FOLDER
 from frame_learning import learn_command
 from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, command_of
 from frame_learning.annotated_sentences import read_sentences, sentences_of
@@ -11,8 +13,6 @@ from frame_learning.corpora import CORPORA
 from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from semantic_frames import FileRefused
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.model import shipped_parser
 
 GARDENING = Path(__file__).resolve().parent / "gardening.yaml"

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from checked_files import FileRefused
 from frame_learning import learn_command, score_command
 from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, CorpusError, command_of, positions_at
 from frame_learning.corpora import CORPORA, Corpus, PublishedFigures
@@ -15,7 +16,6 @@ from frame_learning.score_command import to_json
 from frame_learning.tage_corpus import read_tage
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from semantic_frames import FileRefused
 
 HURIC = """<?xml version="1.0"?>
 <huricExample id="1"><commands><command>

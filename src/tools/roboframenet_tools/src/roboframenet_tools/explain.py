@@ -5,6 +5,8 @@ import json
 import sys
 from typing import List
 
+from checked_files import FileRefused
+from checked_files.source_files import read_text
 from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
 from offline_pipeline.named_rules import unknown_rules
@@ -12,8 +14,6 @@ from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_js
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
 from semantic_framer.values.dialogue import Context
-from semantic_frames import FileRefused
-from semantic_frames.source_files import read_text
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.joint.inference import described
 from stanford_parser_ros.stanford_dependencies import collapsed

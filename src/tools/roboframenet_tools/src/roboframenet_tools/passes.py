@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, Iterable, List, Sequence, Tuple
 
+from checked_files import FileRefused
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.sentence_lists import SOURCES, sentences_of
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.named_rules import NAMED_RULES
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_frames import FileRefused
 from stanford_parser_ros.inference import ModelError
 from utterance_passes.engine.running import run_tree_passes
 from utterance_passes.engine.utterance_pass import TreePass, Uncertain

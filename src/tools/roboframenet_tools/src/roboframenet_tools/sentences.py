@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Counter as CounterOf
 from typing import Iterator, List, Sequence
 
+from checked_files.source_files import read_text
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_framer.judging.said_words import RULE
-from semantic_frames.source_files import read_text
 from stanford_parser_ros.inference import ModelError
 
 EXAMPLES = """examples:

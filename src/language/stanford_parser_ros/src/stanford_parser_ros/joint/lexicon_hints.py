@@ -65,7 +65,13 @@ def hints_of(units: Iterable[LexicalUnit]) -> FrozenSet[Hint]:
 
     An element that may be an adverb, too, tells nothing of a particle: both readings of the network fill it.
     """
-    return frozenset(hint for unit in units for verb in unit.verbs for hint in _hints_of(unit, verb))
+    return _one_object(frozenset(hint for unit in units for verb in unit.verbs for hint in _hints_of(unit, verb)))
+
+
+@lru_cache(maxsize=64)
+def _one_object(hints: FrozenSet[Hint]) -> FrozenSet[Hint]:
+    """Return the same object for equal hints: `_uses` compares thousands of them at each parse otherwise."""
+    return hints
 
 
 def _hints_of(unit: LexicalUnit, verb: str) -> Iterator[Hint]:

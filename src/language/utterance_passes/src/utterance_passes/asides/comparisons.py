@@ -28,6 +28,7 @@ _LONGEST = 7
             "Bob: obl(possible) -> obl(go)",
         ),
     ),
+    assigns=["advmod", "obl", ASIDE],
 )
 def comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set comparisons aside, wherever they stand, but keep their adverb: "as *slowly* as you can".

@@ -2,7 +2,7 @@
 
 from typing import FrozenSet, List, Optional
 
-from utterance_passes.engine.pass_needs import only_with, only_with_forms
+from utterance_passes.engine.pass_needs import only_with_forms
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.phrases.clauses import has_case, prepositions_of, verb_above
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
@@ -30,6 +30,7 @@ _NOT_ONLY = ["not", "only"]
         "bring|VERB|0|root anything|PRON|1|obj but|CCONJ|4|cc beer|NOUN|2|conj",
         ("but: cc(beer) CCONJ/but -> case(beer) ADP/but", "beer: conj(anything) -> nmod(anything)"),
     ),
+    assigns=["case", "nmod"],
 )
 @only_with_forms(_EXCEPTIONS | _NOT)
 def exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -121,6 +122,7 @@ def _is_property_said(tree: DependencyTree, things: List[Word]) -> bool:
             "plates: conj(cups) -> obj(take)",
         ),
     ),
+    assigns=[ASIDE],
 )
 @only_with_forms(["but"])
 def meant_instead(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -187,6 +189,7 @@ def _denying(tree: DependencyTree, phrase: Word) -> FrozenSet[int]:
             "coffee: obl(bring) -> discourse:aside(bring)",
         ),
     ),
+    assigns=[ASIDE],
 )
 @only_with_forms(_NOT.union(*(phrase.split() for phrase in _CONTRASTS)))
 def contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -253,8 +256,9 @@ def _is_last(tree: DependencyTree, word: Word) -> bool:
         "take|VERB|0|root not|PART|1|advmod only|ADV|4|advmod cups|NOUN|1|obj but|CCONJ|6|cc plates|NOUN|4|conj",
         ("not: advmod(take) -> discourse:aside(take)", "only: advmod(cups) -> discourse:aside(take)"),
     ),
+    requires=["cc"],
+    assigns=[ASIDE],
 )
-@only_with("cc")
 def not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set "not only" aside before "but": "bring *not only* the cup but also the plate" forbids nothing."""
     edit = TreeEdit(tree)

@@ -26,6 +26,7 @@ _LONGEST = 12
         ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
         Verbs(frozenset(["turn"])),
     ),
+    assigns=[ASIDE, "root", "parataxis"],
 )
 def formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the formulas around a command: "... right away, if you don't mind". Formulas in a quotation stay."""

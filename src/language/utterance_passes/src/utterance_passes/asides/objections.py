@@ -24,6 +24,7 @@ _OPENING = pattern_of("objections")
         ("no: discourse(turn) -> discourse:aside(turn)", ",: punct(no) -> discourse:aside(turn)"),
         Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)}),
     ),
+    assigns=[ASIDE, "root", "parataxis"],
 )
 def objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right".

@@ -2,7 +2,6 @@
 
 from typing import Sequence
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit, set_aside
@@ -35,8 +34,9 @@ _SUBJECTS = ("nsubj", "nsubj:pass", "expl")
             "cold: advcl(come) -> discourse:aside(come)",
         ),
     ),
+    requires=["advcl"],
+    assigns=[ASIDE, "root", "parataxis"],
 )
-@only_with("advcl")
 def reasons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set aside the clauses that give the reason for a command, or what speaks against it: they do not change it.
 

@@ -19,6 +19,7 @@ _TURNING = word_class("turning_verbs")
         "spin|VERB|0|root in|ADP|3|case place|NOUN|1|obl",
         ("in: case(place) -> discourse:aside(spin)", "place: obl(spin) -> discourse:aside(spin)"),
     ),
+    assigns=[ASIDE, "root", "parataxis"],
 )
 @only_with_lemmas(_TURNING)
 def places_of_turns(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:

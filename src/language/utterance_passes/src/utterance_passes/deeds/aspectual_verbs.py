@@ -24,6 +24,7 @@ _CLAUSES = frozenset(["xcomp", "advcl"])
         ("start: root -> discourse:aside(turning)", "turning: xcomp(start) -> root"),
         Verbs(frozenset(["turn"])),
     ),
+    assigns=[ASIDE],
 )
 @only_with_lemmas(_ASPECTUAL_VERBS)
 def aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:

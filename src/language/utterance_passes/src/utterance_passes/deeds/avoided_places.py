@@ -2,7 +2,6 @@
 
 from typing import FrozenSet, Optional, Tuple
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
@@ -28,8 +27,9 @@ _WITHOUT = frozenset(["without"])
         "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl avoiding|VERB|1|advcl|avoid|VBG halls|NOUN|4|obj",
         ("avoiding: advcl(go) VERB/avoid -> case(halls) ADP/avoiding", "halls: obj(avoiding) -> obl(go)"),
     ),
+    requires=[*_OF_DEEDS, "obl", "nmod"],
+    assigns=["obl", "case", "punct", ASIDE],
 )
-@only_with(*_OF_DEEDS, "obl", "nmod")
 def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a preposition of what says where not to go: "go to the office *and avoid the hall on the way*", "*without
     going through the hall*", "*but not through the hall*"."""

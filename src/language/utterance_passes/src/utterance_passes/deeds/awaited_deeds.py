@@ -27,6 +27,7 @@ _LONGEST_PHRASE = 6
             "to: mark(come) -> discourse:aside(come)",
         ),
     ),
+    assigns=["advcl", "nsubj", "mark", ASIDE],
 )
 @only_with_lemmas(_WAITING)
 def awaited_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -6,7 +6,6 @@
 from typing import List, NamedTuple, Optional
 
 from semantic_types.parts_of_speech import VERB, base_forms
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
@@ -45,8 +44,9 @@ class _Result(NamedTuple):
         ("door: obj(want) -> obj(closed)", "closed: acl(door) -> xcomp(want)"),
         Verbs(frozenset(["close"])),
     ),
+    requires=["obj", "nsubj"],
+    assigns=["xcomp", "conj", "aux", "aux:pass", "obj", ASIDE],
 )
-@only_with("obj", "nsubj")
 def wished_results(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a request for a deed of the wish for its result; "I want a bottle filled with water" asks for a bottle."""
     edit = TreeEdit(tree)

@@ -13,12 +13,8 @@ _Has = Callable[[DependencyTree], AbstractSet[str]]
 _Gate = Callable[[TreeRun], TreeRun]
 
 
-def only_with(*relations: str) -> _Gate:
-    """Run a pass only on sentences with a word of one of these relations; others stay as they are.
-
-    Args:
-        relations: to the head, with or without subtype: "acl", "acl:relcl"
-    """
+def only_with(relations: Iterable[str]) -> _Gate:
+    """Run a pass only on sentences with a word of one of these relations, with or without subtype ("acl:relcl")."""
     return _only_with(relations, lambda tree: tree.relations)
 
 

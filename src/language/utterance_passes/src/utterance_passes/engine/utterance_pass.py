@@ -3,11 +3,11 @@
 import re
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable, Optional, Sequence, Tuple
+from typing import Callable, FrozenSet, Iterable, Optional, Sequence, Tuple
 
-from utterance_passes.engine.pass_needs import TreeRun
+from utterance_passes.engine.pass_needs import TreeRun, only_with
 from utterance_passes.trees.spelling import Spelling
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import RELATIONS, DependencyTree
 from utterance_passes.trees.tree_edits import WordAround
 from utterance_passes.trees.vocabulary import Verbs, Vocabulary
 
@@ -115,9 +115,15 @@ class TreePass(Pass):
 
     ``run`` raises ``Uncertain`` if a person must say what the sentence means, and ``NotATree`` if the result is not a
     tree; then the tree stays as it was.
+
+    Attributes:
+        requires: relations of which a sentence must have one, or the pass does not look at it; none for any sentence
+        assigns: relations that it gives to words; one word may also take over the relation of another
     """
 
     run: TreeRun
+    requires: FrozenSet[str] = frozenset()
+    assigns: FrozenSet[str] = frozenset()
 
 
 def text_pass(kind: Kind, example: Example) -> Callable[[Callable[[Spelling], Spelling]], TextPass]:
@@ -144,9 +150,24 @@ def cut_pass(
     return lambda run: CutPass(run.__name__, _what(run), example, kind, run)
 
 
-def tree_pass(kind: Kind, example: Example) -> Callable[[TreeRun], TreePass]:
-    """Make a pass of a function that turns a tree into another one; its needs stand below: ``@only_with("advcl")``."""
-    return lambda run: TreePass(run.__name__, _what(run), example, kind, run)
+def tree_pass(
+    kind: Kind, example: Example, *, requires: Iterable[str] = (), assigns: Iterable[str] = ()
+) -> Callable[[TreeRun], TreePass]:
+    """Make a pass of a function that turns a tree into another one; see ``TreePass``.
+
+    Raises:
+        ValueError: a relation is none of Universal Dependencies
+    """
+
+    def made_of(run: TreeRun) -> TreePass:
+        required, assigned = frozenset(requires), frozenset(assigns)
+        unknown = [one for one in sorted(required | assigned) if one.split(":")[0] not in RELATIONS]
+        if unknown:
+            raise ValueError(f"{run.__name__} names relations that do not exist: {', '.join(unknown)}")
+        gated = only_with(required)(run) if required else run
+        return TreePass(run.__name__, _what(run), example, kind, gated, required, assigned)
+
+    return made_of
 
 
 def _what(run: Callable[..., object]) -> str:

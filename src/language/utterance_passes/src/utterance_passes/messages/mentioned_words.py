@@ -21,6 +21,7 @@ _SAYING = word_class("saying_verbs")
         'forget|VERB|0|root "|PUNCT|3|punct open|VERB|1|ccomp it|PRON|3|obj "|PUNCT|3|punct',
         ("open: ccomp(forget) VERB/open -> obj(forget) NOUN/open", "it: obj(open) -> flat:quoted(open)"),
     ),
+    assigns=[QUOTED, "obj", "obl", "case", "cop", "punct", "appos"],
 )
 def mentioned_words(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a noun phrase of a clause between quotation marks that is spoken of.

@@ -50,6 +50,7 @@ _PUTTING_OFF = _CONDITIONS - {"if"}
         ),
         Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
     ),
+    assigns=[QUOTED, "obj", "iobj", "xcomp", "ccomp", "advcl", "advmod", "parataxis", "mark", "nmod", "nmod:poss"],
 )
 def quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Turn the words that the robot shall say into one object."""

@@ -1,6 +1,5 @@
 """Tells apart who is told or asked something, and what: a parser attaches a message to the description of a person."""
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.phrases.clauses import prepositions_of
 from utterance_passes.trees.persons import is_person_or_name
@@ -19,8 +18,9 @@ _INFORMING = word_class("verbs_of_informing")
         ("Bob: obj(tell) -> iobj(tell)",),
         Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
     ),
+    requires=["obj", "iobj"],
+    assigns=["iobj", "obl"],
 )
-@only_with("obj", "iobj")
 def persons_told(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Make a person the hearer who is the only object of a verb of telling: "tell *the man raising his hand*". What a
     person is told about belongs to the verb: "warn the guests *about the dog*"."""

@@ -2,7 +2,6 @@
 
 from typing import Optional
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.phrases.clauses import verb_above
 from utterance_passes.trees.tree import ASIDE, QUOTED, DependencyTree, Word
@@ -25,8 +24,9 @@ _UNTIL = frozenset(["until", "till"])
         "bring|VERB|0|root cups|NOUN|1|obj but|CCONJ|6|cc if|SCONJ|6|mark it|PRON|6|nsubj rains|VERB|1|conj",
         ("rains: conj(bring) -> advcl(bring)",),
     ),
+    requires=["conj", "parataxis"],
+    assigns=["advcl"],
 )
-@only_with("conj", "parataxis")
 def conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a condition of a clause that is joined to the command: "bring me the cup, *but only if it is clean*"."""
     edit = TreeEdit(tree)
@@ -46,8 +46,9 @@ def conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         "go|VERB|0|root by|ADP|4|case the|DET|4|det time|NOUN|1|obl Bob|PROPN|6|nsubj comes|VERB|4|acl:relcl",
         ("by: case(time) -> fixed(time)", "time: obl(go) -> mark(comes)", "comes: acl:relcl(time) -> advcl(go)"),
     ),
+    requires=["acl:relcl"],
+    assigns=["advcl", "mark", "fixed"],
 )
-@only_with("acl:relcl")
 def deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of the command of what describes "the time": "be there *by the time Bob comes*" names no place."""
     edit = TreeEdit(tree)
@@ -74,8 +75,9 @@ def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
         "follow|VERB|0|root me|PRON|1|obj ,|PUNCT|5|punct but|CCONJ|5|cc slowly|ADV|1|conj",
         ("but: cc(slowly) -> discourse:aside(follow)", "slowly: conj(follow) -> advmod(follow)"),
     ),
+    requires=["cc"],
+    assigns=[ASIDE, "conj", "advmod"],
 )
-@only_with("cc")
 def manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a manner that is joined like a deed: "follow me, *but slowly*", "go to the door and *slowly* open it"."""
     edit = TreeEdit(tree)
@@ -120,8 +122,9 @@ def _preposition(tree: DependencyTree, word: Word) -> str:
         "give|VERB|0|root Bob|PROPN|1|iobj cups|NOUN|1|obj|cup and|CCONJ|6|cc Anna|PROPN|6|compound hers|NOUN|3|conj",
         ("hers: conj(cups) -> dep(give)",),
     ),
+    requires=["compound"],
+    assigns=["dep"],
 )
-@only_with("compound")
 def owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Part what somebody owns from who gets it: "give Bob his cup and *Anna hers*" gives Bob no second thing. No unit
     knows the relation ``dep``."""
@@ -139,8 +142,9 @@ def owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         "there|PRON|2|expl is|VERB|0|root|be tea|NOUN|2|nsubj on|ADP|5|case tables|NOUN|3|nmod",
         ("tables: nmod(tea) -> obl(is)",),
     ),
+    requires=["expl"],
+    assigns=["obl"],
 )
-@only_with("expl")
 def places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place behind what there is to the verb: "there is a radio *next to the bed*" says where it is."""
     edit = TreeEdit(tree)
@@ -163,8 +167,9 @@ def places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTr
         "cup|NOUN|3|conj",
         ("red: obj(take) -> conj(cup)", "and: cc(cup) -> cc(red)", "cup: conj(red) -> obj(take)"),
     ),
+    requires=["conj"],
+    assigns=["conj"],
 )
-@only_with("conj")
 def shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make the noun of two described things the head of both: "bring me the red and the blue *cup*"."""
     edit = TreeEdit(tree)
@@ -201,8 +206,9 @@ def _is_described(tree: DependencyTree, noun: Word) -> bool:
         ("until: mark(noon) -> flat:quoted(wait)", "noon: advcl(wait) -> flat:quoted(wait)"),
         Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
     ),
+    requires=["xcomp"],
+    assigns=[QUOTED],
 )
-@only_with("xcomp")
 def bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Leave how long somebody else is to do something in what that person is told: "tell Bob to wait *until I come
     back*". To tell him takes no time."""

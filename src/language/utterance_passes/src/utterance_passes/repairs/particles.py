@@ -2,7 +2,6 @@
 
 from typing import FrozenSet, Iterable, List
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
@@ -22,8 +21,9 @@ _ADVERB, _PREPOSITION = "ahead", "of"
         "go|VERB|0|root up|ADP|1|compound:prt to|ADP|4|case Bob|PROPN|1|obl",
         ("up: compound:prt(go) -> advmod(go)",),
     ),
+    requires=["compound:prt"],
+    assigns=["advmod"],
 )
-@only_with("compound:prt")
 def particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn a particle right before "to" into an adverb: "go up to the desk" does not mean "go up"."""
     edit = TreeEdit(tree)
@@ -40,8 +40,9 @@ def particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         "turn|VERB|0|root lights|NOUN|1|obj off|ADP|1|compound:prt in|ADP|5|case rooms|NOUN|1|obl",
         ("rooms: obl(turn) -> nmod(lights)",),
     ),
+    requires=["compound:prt", "xcomp"],
+    assigns=["nmod"],
 )
-@only_with("compound:prt", "xcomp")
 def places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place after "on", "off" or a changed state to the object before it: "turn *the lights* off *in the
     bedroom*"."""
@@ -79,8 +80,9 @@ def _phrases_at(
             "Bob: obl(ahead) -> obl(open)",
         ),
     ),
+    requires=["case"],
+    assigns=["obl", "case", "fixed"],
 )
-@only_with("case")
 def ahead_of(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn "ahead of" into one preposition.
 

@@ -2,7 +2,6 @@
 
 from typing import Tuple
 
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
@@ -38,8 +37,9 @@ _OBJECTS = {"i": "me", "we": "us", **{subject: its for its, subject in _SUBJECTS
             "desks: obl(find) -> parataxis(go)",
         ),
     ),
+    requires=["parataxis", "conj", "ccomp", "list"],
+    assigns=["cop", ASIDE],
 )
-@only_with("parataxis", "conj", "ccomp", "list")
 def places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Replace "you will find her at the desk" beside a command by "she is at the desk".
 
@@ -95,8 +95,9 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
             "is: cop(where) -> discourse:aside(show)",
         ),
     ),
+    requires=["cop"],
+    assigns=["obl", "case", ASIDE],
 )
-@only_with("cop")
 def places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a goal of the place where something is: "show Bob *where it is*", "go *where Anna is*"."""
     edit = TreeEdit(tree)

@@ -41,6 +41,7 @@ _BEFORE_AN_OBJECT = frozenset(["DET", "ADJ", "NUM", "NOUN", "PROPN", "SYM"])
         ),
         Verbs(frozenset(["put"])),
     ),
+    assigns=["dep", "obj", "iobj", "obl", "obl:unmarked", "advmod", "compound:prt", "nmod"],
 )
 def argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Turn each group of phrases that share a verb into a clause.

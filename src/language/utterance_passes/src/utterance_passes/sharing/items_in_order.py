@@ -22,6 +22,7 @@ _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
         "visit|VERB|0|root halls|NOUN|1|obj ,|PUNCT|5|punct then|ADV|5|advmod offices|NOUN|1|parataxis",
         ("then: advmod(offices) -> discourse:aside(offices)", "offices: parataxis(visit) -> conj(halls)"),
     ),
+    assigns=["dep", "conj", ASIDE],
 )
 @only_with_forms(_ORDER)
 def items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -27,6 +27,7 @@ _JOINING = frozenset(["and", "then"])
         "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
         ("Eve: conj(go) -> obl(go)",),
     ),
+    assigns=["obl", "advmod", "compound:prt", "cc"],
 )
 def shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach the second of two phrases that share a verb to the verb, like the first.

@@ -3,7 +3,6 @@
 from typing import List
 
 from spoken_quantities import find_whole_number
-from utterance_passes.engine.pass_needs import only_with
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
@@ -30,8 +29,9 @@ _OF_ITEMS = frozenset(["conj", "appos", "amod"])
             "one: conj(cups) NOUN/one one -> conj(cup-6) NOUN/cup cup",
         ),
     ),
+    requires=["nummod"],
+    assigns=["dep", "conj", "punct", ASIDE],
 )
-@only_with("nummod")
 def specified_items(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Take what specifies counted things for these things, and not for further ones.
 

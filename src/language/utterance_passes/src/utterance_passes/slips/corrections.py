@@ -42,6 +42,7 @@ _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummo
         ),
         Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)}),
     ),
+    assigns=[ABANDONED, *"root parataxis conj dep advmod det amod nummod case punct compound".split()],
 )
 def corrections(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Replace the corrected words by the correction; ask if it is not certain which words those are.
@@ -72,6 +73,7 @@ def corrections(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
         "turn|VERB|0|root turn|VERB|1|xcomp left|ADV|2|advmod",
         ("turn: root -> reparandum(turn-2)", "turn: xcomp(turn-1) -> root"),
     ),
+    assigns=[ABANDONED],
 )
 def restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Drop the first of two equal words in a row: "turn turn left", "ninety uh ninety degrees".
@@ -129,7 +131,8 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
                 break
             terms += [term] if term else []
             position += len(term.split()) if term else 1
-        if terms and first >= behind and has_verb and _takes_back(tree, vocabulary, first, position, terms):
+        is_new = first >= behind and any(word.deprel != ABANDONED for word in tree.words[first:position])
+        if terms and is_new and has_verb and _takes_back(tree, vocabulary, first, position, terms):
             return first + 1, position, any(_WITHDRAWAL.fullmatch(term) for term in terms)
         if forms[first] in _NEGATIONS and not terms:
             # "Don't turn left, I mean right" stays as it is: it is safe not to act.

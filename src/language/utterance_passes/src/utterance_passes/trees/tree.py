@@ -6,6 +6,12 @@ from typing import Dict, FrozenSet, Iterable, List, NamedTuple, Set, Tuple
 
 from utterance_passes.trees.formula_file import is_filler
 
+#: The universal relations, without subtypes.
+RELATIONS = frozenset(
+    "acl advcl advmod amod appos aux case cc ccomp clf compound conj cop csubj dep det discourse dislocated expl "
+    "fixed flat goeswith iobj list mark nmod nsubj nummod obj obl orphan parataxis punct reparandum root vocative "
+    "xcomp".split()
+)
 #: Relation to the verb for formulas around a command ("if you don't mind").
 ASIDE = "discourse:aside"
 #: Relation for the words of a quotation ("say *don't worry*") to the word that fills the element.

@@ -4,7 +4,7 @@ import os
 import stat
 from typing import Iterable, Iterator, List, Tuple
 
-from semantic_frames.problem import FileRefused, Problem
+from checked_files.problem import FileRefused, Problem
 
 #: Names of the folders of a domain.
 FRAMES_FOLDER = "frames"

@@ -5,8 +5,9 @@ import threading
 
 import pytest
 
-from semantic_frames import FileRefused, Problem, load_frame, source_files
-from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
+from checked_files import FileRefused, Problem, source_files
+from checked_files.marked_yaml import Reader
+from checked_files.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 
 def test_yaml_files_of_folders_with_that_name_only(tmp_path) -> None:
@@ -92,8 +93,9 @@ def test_problem_is_one_line_that_moves_no_cursor() -> None:
 
 def test_file_with_ten_thousand_mistakes_tells_the_first_ones() -> None:
     text = "name: waving\n" + "".join(f"no_key_{number}: 1\n" for number in range(10_000))
+    reader = Reader("x.yaml")
     with pytest.raises(FileRefused) as refused:
-        load_frame(text, "x.yaml")
+        reader.mapping(reader.compose(text, "a mapping"), "", ["name"])
     problems = refused.value.problems
     assert [problem.line for problem in problems[:20]] == list(range(2, 22))
     assert [problem.code for problem in problems[20:]] == ["MORE_PROBLEMS"]

@@ -5,7 +5,7 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
 
 import yaml
 
-from semantic_frames.problem import MOST_PROBLEMS, FileRefused, Problem
+from checked_files.problem import MOST_PROBLEMS, FileRefused, Problem
 
 #: Characters; nobody writes a longer file by hand.
 LARGEST_FILE = 1_000_000
