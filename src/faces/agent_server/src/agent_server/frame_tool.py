@@ -189,7 +189,9 @@ def _stated_values(name: str, frame: SemanticFrame, servers: Sequence[Server]) -
             if not heeded.values:
                 return []
             found += heeded.values
-    return list(dict.fromkeys(found))
+    # Servers list "slow" and "slow pace"; the one word is enough for both.
+    single = [value for value in found if " " not in value]
+    return list(dict.fromkeys(single or found))
 
 
 def _relations(element: FrameElement, frame: SemanticFrame, servers: Sequence[Server]) -> List[str]:
