@@ -100,8 +100,13 @@ async def _serve(settings: Settings, wire: Optional[int]) -> None:
     def hear(event: Any) -> None:
         agents.hear(event)
 
+    def call_soon(*work: Any) -> None:
+        # What is heard when the client is gone is for nobody.
+        with contextlib.suppress(RuntimeError):
+            loop.call_soon_threadsafe(*work)
+
     robot = GraphRobot(
-        loop.call_soon_threadsafe,
+        call_soon,
         hear=hear,
         on_tools=lambda: begin(agents.tell_tools()),
     )
@@ -117,12 +122,7 @@ async def _serve(settings: Settings, wire: Optional[int]) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, end)
 
-    def end_soon() -> None:
-        # The loop is closed where the client was gone before ROS.
-        with contextlib.suppress(RuntimeError):
-            loop.call_soon_threadsafe(end)
-
-    rospy.on_shutdown(end_soon)
+    rospy.on_shutdown(lambda: call_soon(end))
     try:
         await work
     except asyncio.CancelledError:
