@@ -46,11 +46,13 @@ class Goals:
         import rospy
         from roboframenet_msgs.msg import ExecuteCommandAction, FilledSemanticFrameAction
 
+        from roboframenet_ros.ros_waiting import wait_for_action_server
+
         rospy.init_node("measuring")
         self._server = actionlib.ActionClient(SERVER, FilledSemanticFrameAction)
         self._command = actionlib.ActionClient("command", ExecuteCommandAction)
         for client in (self._server, self._command):
-            if not client.wait_for_server(rospy.Duration.from_sec(START_TIMEOUT_S)):
+            if not wait_for_action_server(client, START_TIMEOUT_S):
                 raise SystemExit("an action server is not there in time")
 
     def goal_ms(self) -> float:

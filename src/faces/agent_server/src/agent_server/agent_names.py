@@ -4,10 +4,12 @@ import itertools
 import re
 import uuid
 
+from roboframenet_ros.command_ids import TextSource, is_spoken
+
 #: Ids of commands of agents begin with this.
 PREFIX = "agent-"
 _LONGEST_NAME = 32
-_ID = re.compile(r"agent-(?P<name>[\w.]{1,32})-[0-9a-f]{8}-\d+", re.ASCII)
+_ID = re.compile(r"agent-(?P<name>[\w.]{1,32})-[0-9a-f]{8}-\d+(-then)?", re.ASCII)
 
 
 def clean_name(name: str) -> str:
@@ -20,7 +22,7 @@ def who_asked(command_id: str) -> str:
     found = _ID.fullmatch(command_id)
     if found is not None:
         return f"agent {found['name']}"
-    if command_id.startswith(("text-", "stop-", "unheard-", "fleet-text-")):
+    if is_spoken(command_id) or command_id.startswith((TextSource.STOP.value, TextSource.UNHEARD.value)):
         return "a person"
     return "a program or page"
 

@@ -127,6 +127,10 @@ async def _serve(settings: Settings, wire: Optional[int]) -> None:
         await work
     except asyncio.CancelledError:
         rospy.loginfo("ended")
+    except Exception as error:  # boundary: a client that is killed leaves a broken pipe, and what it began is cancelled
+        if wire is None:
+            raise
+        rospy.loginfo("the client is gone: %s", type(error).__name__)
 
 
 async def _wait_until_connected(robot: Any) -> None:

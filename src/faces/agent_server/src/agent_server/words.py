@@ -5,6 +5,8 @@ from typing import Optional
 
 from agent_server.refused import CallRefused
 from command_server.emergency_words import is_release
+from command_server.orders_back import said_behind
+from command_server.stop_words import find_cry
 from word_classes.short_answers import agreement
 
 #: How long a question of the robot may be answered, seconds: that of the framer.
@@ -45,6 +47,9 @@ def check_said(text: str, question: Optional[OpenQuestion], *, own_prefix: str, 
         raise CallRefused("EMERGENCY_STOP", RELEASE_REFUSED)
     if agreement(text) is not None:
         raise CallRefused("NOT_A_PERSON", "A yes or a no is for a person to say; the robot asks where it needs one.")
+    cry = find_cry(text)
+    if cry is not None and said_behind(cry):
+        raise CallRefused("REST_NOT_DONE", "A stop stands alone: call stop, and then what shall be done.")
     is_open = question is not None and now_s < question.asked_s + QUESTION_S
     is_own = question is not None and question.command_id.startswith(own_prefix) and question.code not in YES_OR_NO
     if question is not None and is_open and not is_own:

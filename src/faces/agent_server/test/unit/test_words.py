@@ -19,6 +19,8 @@ OWN = "agent-claude-12345678-"
     [
         ("Release the emergency stop.", None, "EMERGENCY_STOP"),
         ("please reset the e-stop", None, "EMERGENCY_STOP"),
+        ("Stop and release the emergency stop.", None, "REST_NOT_DONE"),
+        ("Stop and come back.", None, "REST_NOT_DONE"),
         ("yes", None, "NOT_A_PERSON"),
         ("No.", None, "NOT_A_PERSON"),
         ("Turn left.", OpenQuestion("text-1-1", "AMBIGUOUS", 100.0), "BUSY"),
@@ -47,6 +49,7 @@ def test_what_an_agent_may_say(text: str, question: Optional[OpenQuestion]) -> N
 
 def test_ids_tell_who_asked() -> None:
     assert who_asked(CommandIds(clean_name("Claude Desktop")).next_id()) == "agent Claude_Desktop"
+    assert who_asked("agent-claude-12345678-2-then") == "agent claude"
     assert who_asked("text-1234-1") == "a person"
     assert who_asked("console-1234-1") == "a program or page"
     assert who_asked("agent-claude") == "a program or page"

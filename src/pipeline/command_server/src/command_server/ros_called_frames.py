@@ -57,6 +57,8 @@ class CalledFrames:
         self._settings = settings
         self._refusal = refusal
         self._on_not_begun = on_not_begun
+        # Asked once: a call must not wait for the master.
+        self._is_of_fleet = bool(own_robot())
         self._units = HandOver("command_lexical_units", CommandLexicalUnits)
 
     def subscribe(self, put: _Put) -> List[rospy.Subscriber]:
@@ -99,7 +101,7 @@ class CalledFrames:
         outcome, code = Outcome.REFUSED, "MALFORMED_CALL"
         if is_full:
             outcome, code, why = Outcome.FAILED, "BUSY", "Too many commands are waiting already."
-        elif own_robot():
+        elif self._is_of_fleet:
             code, why = "NOT_ALONE", "The robots of a fleet take sentences, and no frames."
         elif not came_by_action(command.command_id):
             why = "The id of a called frame must not begin like that of a text."
