@@ -455,6 +455,16 @@ class TestAgents(unittest.TestCase):
 
         run(work)
 
+    def test_d_a_sentence_is_explained_and_not_done(self) -> None:
+        async def work() -> None:
+            async with agent("curious") as client:
+                count = len(self.replies)
+                result = told(await client.call_tool("explain", {"text": "Turn left 120 degrees."}))
+                self.assertIn("turning", result["explanation"])
+                self.assertEqual(self.replies[count:], [])
+
+        run(work)
+
     def test_c_nothing_of_an_agent_drives_the_base(self) -> None:
         """No node of an agent publishes velocities: it has no topic of its own to move with."""
         state = rospy.get_master().getSystemState()[2]

@@ -4,20 +4,17 @@ import asyncio
 import contextlib
 import json
 import os
-import signal
 import sys
 import time
+import uuid
 from typing import Any, Coroutine, Optional, Sequence, Set
 
 import rosgraph
 import rospy
 
 from agent_server.settings import Settings
-from roboframenet_ros.parameters import ParameterError
-from roboframenet_ros.ros_log import log_from_threads
-from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
-from roboframenet_ros.ros_node import read_parameters
-from roboframenet_ros.ros_prompt_connection import publish_promptly
+from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from web_console.access import SHORTEST_TOKEN
 
 #: The oldest Python that the SDK runs on.
@@ -33,8 +30,83 @@ _FLUSH_S = 0.3
 USAGE = "usage: rosrun agent_server agent_server [--http] [_port:=8765 _token_file:=FILE]"
 
 
-class Cannot(RuntimeError):
-    """The node cannot start; the text says why."""
+class AgentsNode:
+    """Joins the graph and the server of the SDK. It runs in the main thread.
+
+    Subscribes and publishes: what a `GraphRobot` does.
+    """
+
+    def __init__(self, settings: Settings, wire: Optional[int]) -> None:
+        """
+        Args:
+            settings: of the node
+            wire: where the protocol of standard output goes; None for HTTP
+        Raises:
+            StartError: HTTP has no token
+        """
+        self._settings = settings
+        self._wire = wire
+        self._token = _read_token(settings.token_file) if wire is None else ""
+        self._tasks: Set[asyncio.Task[Any]] = set()
+        self._tools = 0
+
+    def health(self) -> Health:
+        """How the node is."""
+        values = {"tools": self._tools, "way": "http" if self._wire is None else "standard input and output"}
+        if not self._tools:
+            return Health(Level.WARN, "No frame can be called: no living server, or no registrar.", values)
+        return Health(values=values)
+
+    def run(self) -> None:
+        """Serve until the client or ROS is gone."""
+        asyncio.run(self._serve())
+        time.sleep(_FLUSH_S)
+        rospy.signal_shutdown("the client is gone")
+
+    async def _serve(self) -> None:
+        from agent_server.mcp_server import AgentServer
+        from agent_server.ros_robot import GraphRobot
+        from agent_server.transports import PATH, HttpServer, serve_stdio
+
+        loop = asyncio.get_running_loop()
+
+        def hear(event: Any) -> None:
+            agents.hear(event)
+
+        def call_soon(*work: Any) -> None:
+            # What is heard when the client is gone is for nobody.
+            with contextlib.suppress(RuntimeError):
+                loop.call_soon_threadsafe(*work)
+
+        def tell_tools() -> None:
+            self._tools = len(robot.tools)
+            self._begin(agents.tell_tools())
+
+        robot = GraphRobot(call_soon, hear=hear, on_tools=tell_tools)
+        agents = AgentServer(robot, _explain)
+        await _wait_until_connected(robot)
+        if self._wire is not None:
+            work = asyncio.ensure_future(serve_stdio(agents, self._wire))
+            end = work.cancel
+        else:
+            server = HttpServer(agents, self._token, self._settings.port)
+            work, end = asyncio.ensure_future(server.serve()), server.stop
+            self._begin(_tell_url(server, PATH))
+        rospy.on_shutdown(lambda: call_soon(end))
+        try:
+            await work
+        except asyncio.CancelledError:
+            rospy.loginfo("ended")
+        except Exception as error:  # boundary: a killed client leaves a broken pipe, and what it began is cancelled
+            if self._wire is None:
+                raise
+            rospy.loginfo("the client is gone: %s", type(error).__name__)
+
+    def _begin(self, work: Coroutine[Any, Any, Any]) -> None:
+        """Let something run beside the server; the loop keeps no task that nobody refers to."""
+        task = asyncio.get_running_loop().create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
 
 
 def main(words: Optional[Sequence[str]] = None) -> None:
@@ -56,81 +128,29 @@ def main(words: Optional[Sequence[str]] = None) -> None:
         raise SystemExit(f"agent_server: {error}; run 'make agents'") from error
     is_http = "--http" in said
     wire = None if is_http else divert_stdout()
-    try:
-        _init_node(is_http=is_http)
-        settings = read_parameters(Settings)
-        os.nice(settings.niceness)
-        asyncio.run(_serve(settings, wire))
-    except (Cannot, ParameterError) as error:
-        raise SystemExit(f"agent_server: {error}") from error
-    time.sleep(_FLUSH_S)
-    rospy.signal_shutdown("the client is gone")
+    _wait_for_master()
+    # Each agent on standard input and output has a node of its own.
+    name = "agent_server" if is_http else f"agent_server_{os.getpid()}_{uuid.uuid4().hex[:4]}"
+    run_node(name, lambda: _start(wire), work=AgentsNode.run)
     sys.stderr.flush()
     # A thread may still wait for a line of a client that is gone.
     os._exit(0)
 
 
-def _init_node(*, is_http: bool) -> None:
+def _start(wire: Optional[int]) -> AgentsNode:
+    settings = read_parameters(Settings)
+    os.nice(settings.niceness)
+    return AgentsNode(settings, wire)
+
+
+def _wait_for_master() -> None:
+    """Return when a master answers; without one, the start of a node would never end."""
     end_s = time.monotonic() + _WAIT_S
-    # Without a master, init_node would try for ever.
     while not rosgraph.is_master_online():
         if time.monotonic() >= end_s:
-            raise Cannot(f"no ROS master at {rosgraph.get_master_uri()}: is the robot up, and ROS_MASTER_URI right?")
+            uri = rosgraph.get_master_uri()
+            raise SystemExit(f"agent_server: no ROS master at {uri}: is the robot up, and ROS_MASTER_URI right?")
         time.sleep(_POLL_S)
-    publish_promptly()
-    # Each agent on standard input and output has a node of its own.
-    rospy.init_node("agent_server", anonymous=not is_http, disable_signals=True)
-    log_from_threads()
-    connect_missed_publishers()
-
-
-async def _serve(settings: Settings, wire: Optional[int]) -> None:
-    from agent_server.mcp_server import AgentServer
-    from agent_server.ros_robot import GraphRobot
-    from agent_server.transports import PATH, HttpServer, serve_stdio
-
-    loop = asyncio.get_running_loop()
-    tasks: Set[asyncio.Task[Any]] = set()
-
-    def begin(work: Coroutine[Any, Any, Any]) -> None:
-        task = loop.create_task(work)
-        tasks.add(task)
-        task.add_done_callback(tasks.discard)
-
-    def hear(event: Any) -> None:
-        agents.hear(event)
-
-    def call_soon(*work: Any) -> None:
-        # What is heard when the client is gone is for nobody.
-        with contextlib.suppress(RuntimeError):
-            loop.call_soon_threadsafe(*work)
-
-    robot = GraphRobot(
-        call_soon,
-        hear=hear,
-        on_tools=lambda: begin(agents.tell_tools()),
-    )
-    agents = AgentServer(robot, _explain)
-    await _wait_until_connected(robot)
-    if wire is not None:
-        work = asyncio.ensure_future(serve_stdio(agents, wire))
-        end = work.cancel
-    else:
-        server = HttpServer(agents, _read_token(settings.token_file), settings.port)
-        work, end = asyncio.ensure_future(server.serve()), server.stop
-        begin(_tell_url(server, PATH))
-    for number in (signal.SIGINT, signal.SIGTERM):
-        loop.add_signal_handler(number, end)
-
-    rospy.on_shutdown(lambda: call_soon(end))
-    try:
-        await work
-    except asyncio.CancelledError:
-        rospy.loginfo("ended")
-    except Exception as error:  # boundary: a client that is killed leaves a broken pipe, and what it began is cancelled
-        if wire is None:
-            raise
-        rospy.loginfo("the client is gone: %s", type(error).__name__)
 
 
 async def _wait_until_connected(robot: Any) -> None:
@@ -150,14 +170,14 @@ async def _tell_url(server: Any, path: str) -> None:
 
 def _read_token(path: str) -> str:
     if not path:
-        raise Cannot("streamable HTTP needs ~token_file, a file with a secret (openssl rand -hex 16 > FILE)")
+        raise StartError("streamable HTTP needs ~token_file, a file with a secret (openssl rand -hex 16 > FILE)")
     try:
         with open(path, encoding="utf-8") as file:
             token = file.read(8192).strip()
     except (OSError, ValueError) as error:
-        raise Cannot(f"~token_file {path!r} cannot be read: {error}") from error
+        raise StartError(f"~token_file {path!r} cannot be read: {error}") from error
     if len(token) < SHORTEST_TOKEN:
-        raise Cannot(f"~token_file holds {len(token)} characters; expected at least {SHORTEST_TOKEN}")
+        raise StartError(f"~token_file holds {len(token)} characters; expected at least {SHORTEST_TOKEN}")
     return token
 
 

@@ -74,7 +74,7 @@ def models() -> Finding:
     return Finding("models", str(folder))
 
 
-def agents(version: Tuple[int, ...] = tuple(sys.version_info), sdk: str = "mcp") -> Finding:
+def agents(version: Tuple[int, ...] = sys.version_info[:3], sdk: str = "mcp") -> Finding:
     """Tell whether agents can command the robot; nobody has to want it.
 
     Args:
