@@ -76,7 +76,7 @@ def filled_call(tool: FrameTool, arguments: object, world: World) -> FilledCall:
 
 
 def _thing(value: Any) -> Tuple[str, str]:
-    if isinstance(value, Dict):
+    if isinstance(value, dict):
         return str(value[THING]), str(value.get(RELATION, ""))
     return str(value), ""
 
