@@ -24,7 +24,7 @@ from agent_server.words import YES_OR_NO, check_said
 from agent_server.world_view import world_view
 from web_console.rate_limit import Rate, RateLimit
 
-NAME, VERSION = "roboframenet", "0.2.0"
+NAME = "roboframenet"
 #: A command that nobody tells of for so long gets no reply any more, seconds: the command server is dead.
 SILENCE_S = 30.0
 #: How long a person may think about a question, seconds.
@@ -128,7 +128,6 @@ class AgentServer:
         self._bus = InMemorySubscriptionBus()
         self.server = Server(
             NAME,
-            version=VERSION,
             title="RoboFrameNet",
             instructions=INSTRUCTIONS,
             on_list_tools=self._on_list,
