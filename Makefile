@@ -14,7 +14,7 @@ ONLY ?=
 browser: setup
 	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
 
-.PHONY: help setup stanza build demo run test acceptance reliability record format lint bench screenshots docs install clean
+.PHONY: help setup stanza agents build demo run test acceptance reliability record format lint bench screenshots docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -24,6 +24,9 @@ setup: ## install system packages and the Python environment (root or sudo)
 
 stanza: setup ## install Stanza and torch too, which 'runtime: stanza', trainings and some tests need
 	@scripts/setup stanza
+
+agents: setup ## install the SDK of the Model Context Protocol, so that agents can command the robot
+	@scripts/setup agents
 
 build: setup ## build the workspace into devel/
 	@scripts/build
@@ -35,7 +38,7 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot, VOICE=1 to talk to it)
 	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
-test: build stanza browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+test: build stanza agents browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
 acceptance: build stanza ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
@@ -54,7 +57,7 @@ format: setup ## format the Python code, and apply the safe fixes of ruff
 lint: build ## check format, rules, types, packages and launch files; change nothing
 	@scripts/lint
 
-bench: build stanza ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
+bench: build stanza agents ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
 
 screenshots: build browser ## make the pictures of the page in docs/pictures again, with a browser and simulated robots

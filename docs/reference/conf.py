@@ -8,6 +8,8 @@ html_theme_options = {"page_width": "1100px"}
 html_copy_source = False
 # What a module exports from another one is described there.
 autodoc_default_options = {"members": True, "show-inheritance": True, "ignore-module-all": True}
+# 'make agents' installs them; the reference is made without.
+autodoc_mock_imports = ["anyio", "mcp", "mcp_types", "uvicorn"]
 autodoc_typehints = "description"
 autodoc_member_order = "bysource"
 # Examples in docstrings are indented blocks of several languages.

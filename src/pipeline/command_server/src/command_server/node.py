@@ -9,7 +9,15 @@ from dataclasses import replace
 from typing import Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import CommandPlan, OrderDue, Reply, StageEvent, StoppedPlan, StopReport
+from roboframenet_msgs.msg import (
+    CommandLexicalUnits,
+    CommandPlan,
+    OrderDue,
+    Reply,
+    StageEvent,
+    StoppedPlan,
+    StopReport,
+)
 from std_msgs.msg import String
 
 from command_server.emergency_words import is_release
@@ -29,6 +37,7 @@ from command_server.open_commands import (
 )
 from command_server.orders_back import SPARED_NS, order_words, said_behind
 from command_server.pending_stops import PendingStops
+from command_server.ros_called_frames import CalledFrames
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
 from command_server.ros_emergency import RELEASE_TIMEOUT_S, EmergencyGate, Released
@@ -71,15 +80,28 @@ _ALL_STOPPED = "Everything that it had started is stopped: zero velocity, and no
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
-_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Released, Braked, Finding, None]
+_Event = Union[
+    Said,
+    GoalCancelled,
+    CommandLexicalUnits,
+    StageEvent,
+    StopReport,
+    OrderDue,
+    StoppedPlan,
+    Released,
+    Braked,
+    Finding,
+    None,
+]
 
 
 class CommandServerNode:
     """Owns the commands.
 
-    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``, ``fleet_service``.
-    Publishes: ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``text_taken``,
-    ``command_server_started``, and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
+    Subscribes: ``text``, ``called_frames``, ``called_frames/cancel``, ``stage_events``, ``stop_report``, ``order_due``,
+    ``stopped_plan``, ``fleet_service``.
+    Publishes: ``command_text``, ``command_lexical_units``, ``reply``, ``command_cancel``, ``command_plan``, ``status``,
+    ``text_taken``, ``command_server_started``, and what a `Brake` and an `EmergencyGate` do. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -109,6 +131,7 @@ class CommandServerNode:
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
         self._emergency = gate = EmergencyGate(self._brake, on_released=self._events.put)
         self._orders_due = OrdersDue(self._commands, command_plan, gate.refusal, on_not_begun=self._conclude)
+        self._called = CalledFrames(self._commands, settings, gate.refusal, on_not_begun=self._conclude)
         self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
         self._in_place = StopsInPlace(
             self._stops,
@@ -135,6 +158,7 @@ class CommandServerNode:
         self._brake.start()
         self._worker.start()
         self._subscribers = [
+            *self._called.subscribe(self._events.put),
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("order_due", OrderDue, self._events.put),
@@ -214,6 +238,8 @@ class CommandServerNode:
             self._hear_stop_report(event)
         elif isinstance(event, OrderDue) and not self._replayed.refuses_order(event):
             self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
+        elif isinstance(event, CommandLexicalUnits) and not self._replayed.refuses_call(event):
+            self._called.begin(event, stop_stamp_ns=self._last_stop_ns)
         elif isinstance(event, StoppedPlan):
             self._stopped_plans.hear(event)
         elif isinstance(event, Released):

@@ -1,8 +1,8 @@
-"""Refuses goals of the action ``command`` and standing orders that ``rosbag play`` repeats beside the robot."""
+"""Refuses goals, called frames and standing orders that ``rosbag play`` repeats beside the robot."""
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import OrderDue, StageEvent
+from roboframenet_msgs.msg import Command, CommandLexicalUnits, OrderDue, StageEvent
 
 from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome
 from command_server.ros_messages import ending_of_event
@@ -15,7 +15,7 @@ from roboframenet_ros.ros_robots import own_robot
 
 
 class Replayed:
-    """Takes each goal, and each order that is due, once. One thread owns it."""
+    """Takes each goal, each call of a frame and each order that is due once. One thread owns it."""
 
     def __init__(self, replies: Replies, settings: Settings) -> None:
         """
@@ -26,7 +26,7 @@ class Replayed:
         #: A goal that took longer comes late, seconds.
         self.longest_delay_s = settings.longest_delay_s if own_robot() else OLDEST_NS / 1e9
         self._replies = replies
-        self._goals, self._orders = GoalsOnce(), Replays()
+        self._goals, self._orders, self._calls = GoalsOnce(), Replays(), Replays()
         self._ids = TextIds(TextSource.REPLAYED)
 
     def tells(self, event: StageEvent) -> bool:
@@ -47,10 +47,16 @@ class Replayed:
         """Take an order that is due, or refuse it."""
         if due.not_done:
             return False
-        stamp = due.command.stamp
-        why = self._orders.refusal(due.command.id, stamp_ns=stamp.to_nsec(), now_ns=rospy.Time.now().to_nsec())
+        return self._refuses(due.command, self._orders)
+
+    def refuses_call(self, call: CommandLexicalUnits) -> bool:
+        """Take a call of a frame, or refuse it."""
+        return self._refuses(call.command, self._calls)
+
+    def _refuses(self, command: Command, taken: Replays) -> bool:
+        why = taken.refusal(command.id, stamp_ns=command.stamp.to_nsec(), now_ns=rospy.Time.now().to_nsec())
         if why:
-            self._tell(due.command.text, stamp, why)
+            self._tell(command.text, command.stamp, why)
         return bool(why)
 
     def _tell(self, text: str, stamp: rospy.Time, why: str) -> None:

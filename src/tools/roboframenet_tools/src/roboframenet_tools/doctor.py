@@ -2,9 +2,10 @@
 
 import argparse
 import importlib
+import importlib.util
 import os
 import sys
-from typing import List
+from typing import List, Tuple
 
 from roboframenet_tools.finding import Finding
 from stanford_parser_ros.inference import JOINT, ModelError, shipped_model_dir
@@ -28,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the findings; return the exit status."""
-    findings = [interpreter(), library("onnxruntime"), library("rospy"), models(), host_name()]
+    findings = [interpreter(), library("onnxruntime"), library("rospy"), models(), host_name(), agents()]
     if not arguments.no_master:
         try:
             from roboframenet_tools.ros_doctor import graph_findings
@@ -71,6 +72,20 @@ def models() -> Finding:
         what, _, advice = str(error).rpartition("; ")
         return Finding("models", what, advice)
     return Finding("models", str(folder))
+
+
+def agents(version: Tuple[int, ...] = sys.version_info[:3], sdk: str = "mcp") -> Finding:
+    """Tell whether agents can command the robot; nobody has to want it.
+
+    Args:
+        version: of Python
+        sdk: name of the module
+    """
+    if version < (3, 10):
+        return Finding("agents", "agent_server does not run: its SDK needs Python 3.10 or later")
+    if importlib.util.find_spec(sdk) is None:
+        return Finding("agents", "the SDK of agent_server is not installed ('make agents' installs it)")
+    return Finding("agents", "agent_server can run")
 
 
 def host_name() -> Finding:

@@ -211,6 +211,13 @@ def test_doctor_says_what_to_do(monkeypatch):
     assert doctor.interpreter().advice
 
 
+def test_doctor_tells_whether_agents_can_command_the_robot():
+    assert "needs Python 3.10" in str(doctor.agents((3, 8, 10)))
+    assert "make agents" in str(doctor.agents((3, 11, 2), "no_such_sdk"))
+    assert str(doctor.agents((3, 11, 2), "json")).endswith("agent_server can run")
+    assert not any(doctor.agents(version, "no_such_sdk").advice for version in ((3, 8), (3, 11)))
+
+
 def test_doctor_sees_servers_of_unknown_frames_and_dead_ones():
     (fine,) = registration_findings(["turning"], [Registered("turning", "turning", True)])
     assert not fine.advice
