@@ -15,10 +15,10 @@ from typing import Any, Dict, List, Mapping, Sequence, Union
 
 import numpy as np
 
+from checked_files.source_files import LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from nearest_meaning.encoder import MASK, NETWORK, NUMBERS, PIECES, VECTORS, Encoder
 from nearest_meaning.vector_file import VECTORS_FILE, write_vectors
 from semantic_frames import FileRefused, load_lexical_units
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from stanford_parser_ros.checked_folder import write_manifest
 from stanford_parser_ros.model_error import ModelError
 
