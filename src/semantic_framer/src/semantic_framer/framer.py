@@ -5,6 +5,7 @@ from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.asking.answers import answer, time_answered
 from semantic_framer.asking.choices import chosen
+from semantic_framer.asking.nearest_meanings import asked_about
 from semantic_framer.asking.other_trees import best_of_trees
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
@@ -140,6 +141,9 @@ def hear(
         now,
         lambda other, lines: _Utterance(replace(now, trace=lines)).checked(other, context),
     )
+    heard = asked_about(
+        tree, heard, context, now, lambda other: _Utterance(replace(now, trace=None)).checked(other, context)
+    )
     pending = heard.context.pending
     if pending is not None and pending is not question:
         words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""
@@ -248,7 +252,7 @@ class _Utterance:
             return self._attached_by_world(meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
-            return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
+            return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant, lessons=pending.lessons_of_no())
         heard = self._answered(meant, pending, context)
         if heard is not None:
             return heard
@@ -289,7 +293,7 @@ class _Utterance:
             if isinstance(heard.outcome, Understood):
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
-            return heard
+            return replace(heard, lessons=pending.lessons_of(choice))
         if pending.unfinished is not None:
             return self._completing_sentence(pending.unfinished, meant, context)
         if pending.open_time:

@@ -1,9 +1,10 @@
 """The node of the semantic framer: finds the frames that a parsed command evokes."""
 
+import os
 import threading
 import time
 import uuid
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 
 import rospy
@@ -33,6 +34,8 @@ from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexi
 from std_msgs.msg import String
 
 from checked_files.source_files import LEXICAL_UNITS_FOLDER, yaml_files
+from nearest_meaning.learned_file import default_learned_file
+from nearest_meaning.likeness import Likeness
 from roboframenet_ros.command_ids import is_spoken
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.replays import OLDEST_OF_ALL_NS
@@ -45,7 +48,8 @@ from roboframenet_ros.ros_stage import Stage
 from robot_fleet.addressing import listed, others_addressed, spoken
 from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
-from semantic_framer.framer import Outcome, hear
+from semantic_framer.framer import Heard, hear
+from semantic_framer.learning import Learning
 from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
 from semantic_framer.settings import Settings
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -139,6 +143,15 @@ class SemanticFramer:
             rospy.logerr("refused: %s", problem)
         self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
         state = self._files.add(self._configured + tuple(self._added))
+        self._likeness = Likeness()
+        self._learning = Learning(
+            os.path.expanduser(settings.learned_file or default_learned_file()),
+            self._lexicon,
+            self._files,
+            warn=rospy.logwarn,
+            now=time.time,
+        )
+        rospy.on_shutdown(self._learning.close)
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
@@ -186,7 +199,7 @@ class SemanticFramer:
                 for problem in self._names.problems + state.problems
             ],
         )
-        if state.accepted or not self._is_announced:
+        if state.accepted or state.is_learned or not self._is_announced:
             # Servers look at each lexicon for what is missing: a refused file changes nothing for them.
             self._is_announced = True
             self._lexicon_publisher.publish(
@@ -288,7 +301,10 @@ class SemanticFramer:
             return
         try:
             tree = to_tree(message.command.text, message.words, message.alternatives)
-            outcome, trace = self._read(tree, message.command)
+            self._learning.refresh()
+            heard, trace = self._read(tree, message.command)
+            self._learning.take(heard.lessons, self._speaker)
+            outcome = heard.outcome
         except Exception as error:  # boundary: the command gets its reply even if anything fails here
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
@@ -304,8 +320,8 @@ class SemanticFramer:
             kind = getattr(Reply, reply_outcome(outcome))
             self._end(message.command, outcome=kind, code=outcome.code, sentence=outcome.sentence, trace=trace)
 
-    def _read(self, tree: DependencyTree, command: Command) -> Tuple[Outcome, str]:
-        """Return the outcome of an utterance, and the trace of the rules."""
+    def _read(self, tree: DependencyTree, command: Command) -> Tuple[Heard, str]:
+        """Return what an utterance means, and the trace of the rules."""
         end = time.monotonic() + CATALOGUE_DELAY_S
         talk = self._talk(command.robot)
         with self._lock:
@@ -321,6 +337,8 @@ class SemanticFramer:
                         self._heeded_by(talk, command.robot),
                         self._world,
                         self._speaker,
+                        likeness=self._likeness,
+                        declined=self._learning.declined,
                     ),
                     context=talk.context,
                     policy=self._settings.policy,
@@ -347,7 +365,7 @@ class SemanticFramer:
                     # A command that is stopped while it is understood asks nothing.
                     talk.context = context.stopped() if talk.is_stopped(command) else context
                     talk.stamp = command.stamp
-                    return outcome, str(trace) if trace is not None else ""
+                    return replace(heard, outcome=outcome), str(trace) if trace is not None else ""
 
     def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:
         # The next stage works while the others are told.

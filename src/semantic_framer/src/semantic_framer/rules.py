@@ -2,6 +2,7 @@
 
 from typing import Mapping
 
+from semantic_framer.asking.nearest_meanings import RULE as NEAREST_MEANING
 from semantic_framer.asking.other_trees import RULE as OTHER_GOVERNOR
 from semantic_framer.judging.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
 from semantic_framer.judging.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
@@ -20,6 +21,7 @@ RULES: Mapping[str, str] = {
     "verb_at_the_front": 'A known verb at the front makes a clause where the parser found none: "High five!".',
     "fragment": 'A fragment changes or repeats the last command: "ten feet", "again".',
     "things_asked_for": 'A thing alone is asked for: "the red cup, please".',
+    NEAREST_MEANING: "It is asked whether the nearest thing that the robot can do is meant.",
     OTHER_GOVERNOR: "A word hangs on another of its likely governors, where the first shows that it is wrong.",
     **{name: doubt.reason for name, doubt in DOUBTS.items()},
     "mixed_lists": "The items of a list are done one by one where they are handled in different ways.",

@@ -22,6 +22,7 @@ class Settings(Parameters):
         trace: whether each stage event includes the trace of the rules
         arguments: which words become arguments
         questions: what to do if the framer needs to know something first; if it must not ask, no frame wants a yes
+        learned_file: where it is kept what persons teach; empty for ``learned.sqlite`` in the ROS home folder
         speaker: id of the person who speaks until the topic ``speaker`` says another; empty: nobody known
 
     Raises:
@@ -37,6 +38,7 @@ class Settings(Parameters):
     trace: bool = parameter(True)
     arguments: Arguments = parameter(Arguments.PHRASES)
     questions: Questions = parameter(Questions.ASK)
+    learned_file: str = parameter("")
     speaker: str = parameter("")
 
     @property

@@ -174,6 +174,7 @@ class LexicalUnit:
             "the door opens", "in the fridge" for "refrigerate"
         class_verbs: those of the verbs that come from WordNet and not from a programmer, each with the sense of another
             verb of the unit that it has, or is a way of: "obtain" with "get.v.01"
+        is_learned: whether a person has taught it to the robot by an answer
         path: the file that it came from
         line: where it begins, from 1
     """
@@ -191,6 +192,7 @@ class LexicalUnit:
     events: Tuple[str, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
     class_verbs: Mapping[str, str] = field(default_factory=dict)
+    is_learned: bool = False
     path: str = ""
     line: int = 0
 

@@ -5,7 +5,7 @@ one, or a way to do the opposite. Whether a verb is right for a robot, a person 
 """
 
 from dataclasses import dataclass
-from typing import Collection, Iterator, List, Set, Tuple
+from typing import Collection, Dict, Iterator, List, Mapping, Set, Tuple
 
 from semantic_types.wordnet import WordNet
 
@@ -71,6 +71,26 @@ def is_of_class(net: WordNet, verb: str, sense: str) -> bool:
         and any(near[0] == verb for near in _near(net, synset))
         and verb not in _opposite_words(net, synset)
     )
+
+
+def known_verbs_near(net: WordNet, verb: str, known: Collection[str]) -> Mapping[str, str]:
+    """Return those known verbs of the class of which a verb is, each with the reason; see :func:`class_verbs`.
+
+    Args:
+        net: WordNet's verbs
+        verb: base form of another verb, with particles
+        known: verbs
+    """
+    found: Dict[str, str] = {}
+    for synset in _synsets(net, verb):
+        if _share(net, verb, synset) < _OFTEN:
+            continue
+        for reason, near in ((SYNONYM, (synset,)), (HYPONYM, net.hypernyms(synset))):
+            for other in near:
+                for word in (word.lower() for word in net.words(other)):
+                    if word in known and word != verb and _share(net, word, other) >= _USUAL_SHARE:
+                        found.setdefault(word, reason)
+    return found
 
 
 def _synsets(net: WordNet, verb: str) -> List[int]:

@@ -1,6 +1,6 @@
 """Verbs of a class: the same sense and direct ways to do it, never sisters or opposites."""
 
-from semantic_types.verb_classes import HYPONYM, SYNONYM, class_verbs, is_of_class
+from semantic_types.verb_classes import HYPONYM, SYNONYM, class_verbs, is_of_class, known_verbs_near
 from semantic_types.wordnet import VERB, shipped_wordnet
 
 NET = shipped_wordnet(VERB)
@@ -35,3 +35,9 @@ def test_a_rare_sense_counts_neither_here_nor_there():
 def test_a_sense_that_does_not_exist_has_no_class():
     assert is_of_class(NET, "obtain", "get.v.01")
     assert not is_of_class(NET, "obtain", "get.v.99") and not is_of_class(NET, "fly", "get.v.01")
+
+
+def test_the_known_verbs_of_the_class_of_another_verb_are_found():
+    assert known_verbs_near(NET, "stroll", ["walk", "open"]) == {"walk": HYPONYM}
+    assert known_verbs_near(NET, "elevate", ["lift", "lower"]) == {"lift": SYNONYM}
+    assert known_verbs_near(NET, "xyzzy", ["walk"]) == {}

@@ -10,6 +10,7 @@ from command_server.orders_back import said_behind
 from command_server.settings import Settings as CommandServerSettings
 from command_server.stop_words import find_cry
 from frame_registrar import search as registrar
+from nearest_meaning.likeness import Likeness
 from offline_pipeline.knowledge import Knowledge
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.filling.descriptions import descriptions
@@ -125,6 +126,7 @@ class Pipeline:
         without: FrozenSet[str] = frozenset(),
         is_traced: bool = False,
         world: Optional[World] = None,
+        likeness: Optional[Likeness] = None,
     ) -> None:
         """
         Args:
@@ -134,6 +136,7 @@ class Pipeline:
             without: names of passes that are switched off
             is_traced: whether to record the effect of each rule
             world: what the robot knows of things, persons and places; None for nothing; its names are heard too
+            likeness: compares sentences with examples; None if nothing does
         Raises:
             ModelError: the models cannot be loaded
         """
@@ -150,7 +153,7 @@ class Pipeline:
         heeded = heeded_elements(knowledge.frames, served)
         world = world or World()
         types = _types_with(knowledge, world)
-        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, types, heeded, world)
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, types, heeded, world, likeness=likeness)
         units = knowledge.lexicon.whole_units(knowledge.frames)
         self._words = KnownWords(
             frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs),

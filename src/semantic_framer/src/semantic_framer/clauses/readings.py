@@ -21,7 +21,7 @@ from semantic_framer.judging.verdicts import (
 )
 from semantic_framer.units.frame_roles import NAME
 from semantic_framer.units.heeding import FrameHeeding
-from semantic_framer.values.dialogue import Context
+from semantic_framer.values.dialogue import Context, Lesson
 from semantic_framer.values.outcome import CAREFUL, Outcome, Refusal
 from semantic_framer.values.reading import Reading, rank, without_duplicates
 from semantic_framer.values.sentence import Sentence
@@ -75,6 +75,7 @@ class Heard:
         is_small_talk: whether it is small talk from end to end, which is against nothing that runs
         named: positions of words that no reading has, and that are understood: what joins clauses, what is only told,
             and when it begins
+        lessons: what the answer to a question teaches
         is_answer: whether it answers a question, so that the readings are those of an earlier sentence
     """
 
@@ -85,6 +86,7 @@ class Heard:
     is_small_talk: bool = False
     named: FrozenSet[int] = frozenset()
     is_answer: bool = False
+    lessons: Tuple[Lesson, ...] = ()
 
 
 def as_wish(read: ClauseReadings) -> ClauseReadings:

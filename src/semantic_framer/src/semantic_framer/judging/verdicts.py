@@ -390,9 +390,12 @@ def _condition(case: ClauseCase) -> Optional[Refusal]:
 
 
 def _is_of_class(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    return bool(reading.unit.stands_for(reading.verb)) and any(
-        not other.unit.stands_for(other.verb) and not other.missing for other in beside
-    )
+    """Whether no programmer wrote the verb into a unit, and one wrote a unit that fits."""
+    return _is_unwritten(reading) and any(not _is_unwritten(other) and not other.missing for other in beside)
+
+
+def _is_unwritten(reading: Reading) -> bool:
+    return reading.unit.is_learned or bool(reading.unit.stands_for(reading.verb))
 
 
 def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
@@ -430,7 +433,11 @@ def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...])
 #: Which of several readings is meant, in any mood. The verdicts run one after the other; each compares a reading with
 #: the remaining ones, likeliest first.
 COMPARING: Tuple[ReadingVerdict, ...] = (
-    ReadingVerdict("verb_class", "Its verb comes from the lexicon, and a unit that lists the verb fits.", _is_of_class),
+    ReadingVerdict(
+        "verb_class",
+        "Its verb comes from the lexicon or from a person, and a unit that lists the verb fits.",
+        _is_of_class,
+    ),
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
     ReadingVerdict(
         "less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple
 
+from nearest_meaning.likeness import Likeness
 from semantic_framer.units.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.units.heeding import FrameHeeding
 from semantic_framer.units.lexicon import Lexicon
@@ -28,6 +29,8 @@ class FramedLexicon:
             registrar says
         world: what the robot knows of things, persons and places
         speaker: id of the person who speaks; empty when unknown
+        likeness: compares sentences with examples; None if nothing does
+        declined: words of verbs, each with a frame that a person said is not meant by them
         without: names of passes and :data:`.rules.RULES` that are switched off, which shows what a rule does
     """
 
@@ -37,6 +40,8 @@ class FramedLexicon:
     heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
     world: World = field(default_factory=World)
     speaker: str = ""
+    likeness: Optional[Likeness] = None
+    declined: FrozenSet[Tuple[str, str]] = frozenset()
     without: FrozenSet[str] = frozenset()
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Collection, Dict, FrozenSet, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
+from semantic_framer.units.deeds_of_units import Deeds, deeds_of_units
 from semantic_framer.units.pattern_index import PatternIndex
 from semantic_frames import load_lexical_units
 from semantic_frames.frame import SemanticFrame
@@ -35,6 +36,8 @@ class Lexicon:
         # Made when they are needed, and made again when a file with patterns has changed.
         self._indices: Optional[_Indices] = None
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
+        # Made when they are needed, and made again when the units or the frames have changed.
+        self._deeds: Optional[Tuple[Mapping[str, SemanticFrame], Deeds]] = None
         # Of each unit that inherits relations: its frame, and what they make together.
         self._whole: Dict[int, Tuple[LexicalUnit, SemanticFrame, LexicalUnit]] = {}
 
@@ -70,8 +73,15 @@ class Lexicon:
         lexicon._index(units)
         return lexicon
 
+    def remove_file(self, path: str) -> None:
+        """Remove a file with its units, if it is there."""
+        if path in self._files:
+            self.replace_file(path, "", ())
+            del self._files[path]
+
     def replace_file(self, path: str, text: str, units: Tuple[LexicalUnit, ...]) -> None:
         """Put units that were read from a file in the place of the earlier units of that file."""
+        self._deeds = None
         for old in self._files.get(path, ("", ()))[1]:
             self._whole.pop(id(old), None)
             for verb in old.verbs:
@@ -86,6 +96,7 @@ class Lexicon:
         self._index(units)
 
     def _index(self, units: Iterable[LexicalUnit]) -> None:
+        self._deeds = None
         for unit in units:
             if unit.questions or unit.remarks or unit.conditions or unit.asks or unit.holds or unit.events:
                 self._with_patterns[unit.path].append(unit)
@@ -125,6 +136,12 @@ class Lexicon:
         if known is None or known[0] is not unit or known[1] is not frame:
             known = self._whole[id(unit)] = (unit, frame, with_inherited(unit, frame))
         return known[2]
+
+    def deeds(self, frames: Mapping[str, SemanticFrame]) -> Deeds:
+        """Return the verbs and examples of the units whose frames act."""
+        if self._deeds is None or self._deeds[0] is not frames:
+            self._deeds = (frames, deeds_of_units(self.units, frames))
+        return self._deeds[1]
 
     def question_units(self, words: Collection[str]) -> List[LexicalUnit]:
         """Return the units of which a question may fit some words, in the order of the files."""

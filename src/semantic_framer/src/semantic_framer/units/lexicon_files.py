@@ -2,9 +2,10 @@
 
 import threading
 from dataclasses import dataclass
-from typing import Callable, ContextManager, Iterable, List, Mapping, Tuple
+from typing import Callable, ContextManager, Dict, Iterable, List, Mapping, Tuple
 
 from checked_files.source_files import read_text, replace_problems
+from semantic_framer.units.learned_units import learned_units
 from semantic_framer.units.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_lexical_units
 
@@ -21,12 +22,14 @@ class LexiconState:
         problems: problems of all refused files that have not been fixed since
         refused: problems of the last addition; empty if all of its files were accepted
         accepted: paths of the accepted files of the last addition
+        is_learned: whether what persons have taught was changed, and nothing else
     """
 
     files: Mapping[str, str]
     problems: Tuple[Problem, ...]
     refused: Tuple[Problem, ...]
     accepted: Tuple[str, ...]
+    is_learned: bool = False
 
 
 class LexiconFiles:
@@ -48,6 +51,32 @@ class LexiconFiles:
         self._announce = announce
         self._adding = threading.Lock()
         self._problems: Tuple[Problem, ...] = ()
+        self._learned: Dict[str, str] = {}
+
+    def set_learned(self, texts: Mapping[str, str]) -> None:
+        """Put the files that persons have taught in the place of the earlier ones; a wrong file is left out.
+
+        Args:
+            texts: text of each file by the path under which it is known; no such files lie there
+        """
+        with self._adding:
+            refused: List[Problem] = []
+            changed = [path for path, text in texts.items() if self._learned.get(path) != text]
+            gone = [path for path in self._learned if path not in texts]
+            for path in changed:
+                try:
+                    units = learned_units(texts[path], path)
+                    with self._lock:
+                        self._lexicon.replace_file(path, texts[path], units)
+                except FileRefused as error:
+                    gone.append(path)
+                    refused += error.problems
+            for path in gone:
+                with self._lock:
+                    self._lexicon.remove_file(path)
+            self._learned = dict(texts)
+            if changed or gone:
+                self._announce(LexiconState(self._lexicon.files, self._problems, tuple(refused), (), is_learned=True))
 
     def add(self, paths: Iterable[str]) -> LexiconState:
         """Add files or replace their earlier units; a wrong file is left out, and the others are added."""

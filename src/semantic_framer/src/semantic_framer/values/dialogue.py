@@ -21,6 +21,25 @@ _INDIFFERENCE = word_class("indifference")
 
 
 @dataclass(frozen=True)
+class Lesson:
+    """What the answer to a question teaches: that words mean a verb that is known, or that they do not.
+
+    Attributes:
+        said: words of the verb that was not known, "make your way"
+        verb: the known verb, with its particles; empty when ``said`` is a whole sentence, and only a no is kept
+        frame_name: the frame that it evokes
+        sentence: in which the words were said
+        is_agreed: whether a person said that they mean it
+    """
+
+    said: str
+    verb: str
+    frame_name: str
+    sentence: str
+    is_agreed: bool = True
+
+
+@dataclass(frozen=True)
 class Pending:
     """A question that the next utterance may answer.
 
@@ -32,6 +51,7 @@ class Pending:
         choices: the only allowed answers, as they were offered; empty if any answer is allowed
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
+        lessons: what a yes to each of ``readings`` teaches; None for nothing
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
         plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
@@ -48,6 +68,7 @@ class Pending:
     expires_s: float
     choices: Tuple[str, ...] = ()
     readings: Tuple[Choice, ...] = ()
+    lessons: Tuple[Optional[Lesson], ...] = ()
     offered: Tuple[str, ...] = ()
     is_about_words: bool = False
     plan: Optional[PlanPart] = None
@@ -56,6 +77,14 @@ class Pending:
     unfinished: Optional[DependencyTree] = None
     asked: str = ""
     question: str = ""
+
+    def lessons_of(self, choice: Choice) -> Tuple[Lesson, ...]:
+        """Return what the choice of one of ``readings`` teaches."""
+        return tuple(one for one, reading in zip(self.lessons, self.readings) if one and reading is choice)
+
+    def lessons_of_no(self) -> Tuple[Lesson, ...]:
+        """Return what a no teaches."""
+        return tuple(replace(one, is_agreed=False) for one in self.lessons if one is not None)
 
     def may_be_answered_by(self, speaker: str) -> bool:
         """Whether the answer of a person counts; that of somebody who is not known does."""

@@ -41,6 +41,7 @@ COMMANDS = (
         "list, explain, reset, export or import what was tried",
     ),
     ("forget", "roboframenet_tools.ros_forget", "let the robot forget what it has learned of things and places"),
+    ("export-learned", "roboframenet_tools.learned", "write what persons taught the robot as a lexical unit file"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),

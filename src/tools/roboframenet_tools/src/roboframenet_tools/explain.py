@@ -8,6 +8,7 @@ from typing import List
 from checked_files import FileRefused
 from checked_files.source_files import read_text
 from frame_registrar.search import Candidate
+from nearest_meaning.likeness import Likeness
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
 from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
@@ -171,7 +172,14 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
 
         knowledge = live_knowledge(timeout_s=10.0)
         world, parameters = live_world(timeout_s=5.0), live_parameters()
-        return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json, world=world)
+        return Pipeline(
+            knowledge,
+            parameters=parameters,
+            without=without,
+            is_traced=not arguments.json,
+            world=world,
+            likeness=Likeness(),
+        )
     knowledge = load_knowledge(
         [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
     )
@@ -180,7 +188,14 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
     objects = load_world_file(read_text(arguments.world), arguments.world) if arguments.world else ()
     world = snapshot(arguments.world, {one.id: one for one in objects})
-    return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json, world=world)
+    return Pipeline(
+        knowledge,
+        parameters=parameters,
+        without=without,
+        is_traced=not arguments.json,
+        world=world,
+        likeness=Likeness(),
+    )
 
 
 def _follow() -> int:

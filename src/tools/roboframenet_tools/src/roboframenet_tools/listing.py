@@ -8,12 +8,17 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from frame_registrar.graph import FrameGraph
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
+from roboframenet_ros.sqlite_file import StoreError
 from roboframenet_tools.folders import folders_of
+from roboframenet_tools.learned import NothingLearned, learned_units, listed
 from semantic_frames.server_profile import Purpose
 
 EXAMPLES = """examples:
   rfn list
   rfn list --domains my_domains
+  rfn list --learned
+
+--learned lists what persons taught the robot by their answers, with the names by which 'rfn forget' forgets it.
 
 Grounded frames, complete domains and robots are those of the running graph; without a ROS master they are shown as '-'.
 """
@@ -44,10 +49,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--domains", action="append", metavar="FOLDER[,FOLDER]", help="folders of domains (default: those shipped)"
     )
+    parser.add_argument("--learned", action="store_true", help="list what persons taught the robot instead")
+    parser.add_argument("--file", metavar="FILE", help="of --learned (default: learned.sqlite in the ROS home folder)")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; return the exit status."""
+    if arguments.learned:
+        try:
+            print(listed(learned_units(arguments.file or "")))
+        except NothingLearned as error:
+            print(error)
+        except StoreError as error:
+            print(f"rfn list: {error}", file=sys.stderr)
+            return 2
+        return 0
     try:
         folders = folders_of(arguments.domains or ()) or [shipped_domains()]
     except NotADirectoryError as error:

@@ -11,14 +11,17 @@ from std_srvs.srv import Trigger
 
 from roboframenet_ros.deadline import NoAnswer, within
 from roboframenet_ros.sqlite_file import StoreError
+from roboframenet_tools.learned import NothingLearned, forget
 from world_model.store import Store, default_memory_file, forgotten_in_words
 
 EXAMPLES = """examples:
   rfn forget --world
   rfn forget --world --file ~/.ros/world.sqlite
+  rfn forget --learned make_your_way.navigating_to_location
 
 What the file of the world says stays known. A running world_model forgets by its service forget_world; without one, or
-with --file, the file is cleared.
+with --file, the file is cleared. --learned forgets one thing that a person taught by an answer, so that it is asked
+about again; 'rfn list --learned' shows the names.
 
 exit status: 0 done, 2 wrong usage, or it was not forgotten
 """
@@ -34,18 +37,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn forget``."""
     parser.epilog = EXAMPLES
     parser.add_argument("--world", action="store_true", help="what was learned of things, persons, places and devices")
-    parser.add_argument("--file", metavar="FILE", help="clear this file, and ask no node")
+    parser.add_argument("--learned", metavar="NAME", help="what a person taught the robot")
+    parser.add_argument("--file", metavar="FILE", help="use this file, and ask no node")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Forget what is asked; return the exit status."""
-    if not arguments.world:
-        print("rfn forget: say what: 'rfn forget --world'", file=sys.stderr)
+    if bool(arguments.world) == bool(arguments.learned):
+        print("rfn forget: say what: 'rfn forget --world' or 'rfn forget --learned NAME'", file=sys.stderr)
         return 2
     try:
+        if arguments.learned:
+            print(forget(arguments.learned, arguments.file or ""))
+            return 0
         told = None if arguments.file else _by_the_node()
         print(told or _in_file(os.path.expanduser(arguments.file or default_memory_file())))
-    except (_NotForgotten, StoreError) as error:
+    except (_NotForgotten, NothingLearned, StoreError) as error:
         print(f"rfn forget: {error}", file=sys.stderr)
         return 2
     return 0

@@ -20,7 +20,7 @@ QUOTED = "flat:quoted"
 ABANDONED = "reparandum"
 QUOTATION_MARKS = frozenset(['"', "“", "”", "«", "»", "``", "''"])
 #: No blank stands before these.
-_CLOSE = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
+CLOSE_MARKS = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
 
 
 @dataclass(frozen=True)
@@ -205,7 +205,7 @@ class DependencyTree:
         before = 0
         for index in positions:
             form = self.word(index).form
-            is_close = form.startswith(_CLOSE) or (before > 0 and self._is_joined_by_a_mark(before, index))
+            is_close = form.startswith(CLOSE_MARKS) or (before > 0 and self._is_joined_by_a_mark(before, index))
             text += form if not text or is_close else " " + form
             before = index
         return text

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import AbstractSet, Callable, FrozenSet, List, Optional, Sequence, Tuple, Union
 
-from utterance_passes.trees.tree import ASIDE, Alternative, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, CLOSE_MARKS, Alternative, DependencyTree, Word
 
 
 class NotATree(ValueError):
@@ -130,6 +130,62 @@ def set_aside(
         else:
             edit.rehang(word.index, heads[word.index])
     return edit.tree()
+
+
+def rephrased(
+    tree: DependencyTree, left_out: AbstractSet[int], verb: Sequence[str] = (), place: int = 0
+) -> DependencyTree:
+    """Return the tree of a sentence that is said without some words, and with another verb in the place of one.
+
+    Args:
+        tree: the sentence
+        left_out: positions of the words that are left out; what hangs on them hangs on their governors
+        verb: words of the other verb; none if the verbs stay
+        place: position of the word that the verb takes the place of
+    Raises:
+        NotATree: nothing stays, or the result is not a tree
+    """
+    kept = [word for word in tree.words if word.index not in left_out]
+    if not kept:
+        raise NotATree(f'nothing of "{tree.text}" stays')
+    new, count = {0: 0}, 0
+    for word in kept:
+        new[word.index] = count = count + 1
+        count += len(verb) - 1 if verb and word.index == place else 0
+
+    def above(word: Word) -> int:
+        head = word.head
+        while head not in new:
+            head = tree.word(head).head
+        return head
+
+    tops = [word for word in kept if not above(word)]
+    root = ([word for word in tops if word.upos == "VERB"] or [w for w in tops if w.upos != "PUNCT"] or tops)[0]
+    words: List[Word] = []
+    text = ""
+    for old in kept:
+        head, relation = above(old), old.deprel
+        if old is root:
+            head, relation = 0, "root"
+        elif not head:
+            head, relation = root.index, "punct" if old.upos == "PUNCT" else "parataxis"
+        elif head != old.head and head == place and relation == "nmod":
+            relation = "obl"  # "Have a look at the shelf" is "look at the shelf".
+        is_verb = bool(verb) and old.index == place
+        for number, form in enumerate(verb if is_verb else [old.form]):
+            text += " " if text and (is_verb or not form.startswith(CLOSE_MARKS)) else ""
+            start, text = len(text), text + form
+            if number:
+                words.append(_unsaid(len(words) + 1, form, "ADP", "RP", new[place], "compound:prt", start))
+            elif is_verb:
+                words.append(_unsaid(new[place], form, "VERB", "VB", new[head], relation, start))
+            else:
+                moved = replace(old, index=new[old.index], head=new[head], deprel=relation)
+                words.append(replace(moved, start_character=start, end_character=len(text)))
+    made = DependencyTree(text, tuple(words))
+    if not made.is_connected:
+        raise NotATree(f'no tree comes of "{text}"')
+    return made
 
 
 def mark_times(tree: DependencyTree, times: Tuple[FrozenSet[int], ...]) -> DependencyTree:

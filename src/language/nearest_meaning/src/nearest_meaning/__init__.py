@@ -1,0 +1,1 @@
+"""What is nearest to what was said, and what persons taught by their answers."""

@@ -1,0 +1,90 @@
+"""Learns from answers: keeps what a yes or a no teaches, and gives the lexicon what is kept."""
+
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
+
+from nearest_meaning.learned import Declined, LearnedUnit, name_of
+from nearest_meaning.learned_file import LearnedFile
+from roboframenet_ros.sqlite_file import StoreError
+from semantic_framer.units.learned_units import text_of_lesson
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.units.lexicon_files import LexiconFiles
+from semantic_framer.values.dialogue import Lesson
+
+
+class Learning:
+    """What the robot has learned. One thread at a time uses it.
+
+    A file that cannot be opened or written teaches nothing; the robot understands the rest.
+    """
+
+    def __init__(
+        self, path: str, lexicon: Lexicon, files: LexiconFiles, *, warn: Callable[[str], None], now: Callable[[], float]
+    ) -> None:
+        """
+        Args:
+            path: of the file
+            lexicon: of the programmers' units, from which those of the known verbs are taken
+            files: gives the lexicon what is learned
+            warn: told what is wrong with the file
+            now: the time, seconds since 1970
+        """
+        self._lexicon, self._files, self._warn, self._now = lexicon, files, warn, now
+        self._file: Optional[LearnedFile] = None
+        self._version = -1
+        self._told = 0
+        self._declined: FrozenSet[Tuple[str, str]] = frozenset()
+        try:
+            self._file = LearnedFile(path)
+        except StoreError as error:
+            warn(f"nothing is learned: {error}")
+        self.refresh()
+
+    @property
+    def declined(self) -> FrozenSet[Tuple[str, str]]:
+        """Words that do not mean a frame, each with its name."""
+        return self._declined
+
+    def refresh(self) -> None:
+        """Give the lexicon what is learned, if another program has changed the file: "rfn forget"."""
+        try:
+            if self._file is not None and self._file.version() != self._version:
+                self._read(self._file)
+        except StoreError as error:
+            self._warn(str(error))
+
+    def _read(self, file: LearnedFile) -> None:
+        self._version = file.version()
+        units, self._declined = file.units(), file.declined()
+        for problem in file.problems[self._told :]:
+            self._warn(problem)
+        self._told = len(file.problems)
+        self._files.set_learned({unit.path: unit.text for unit in units})
+
+    def take(self, lessons: Iterable[Lesson], who: str) -> None:
+        """Keep what the answer to a question teaches.
+
+        Args:
+            lessons: what it teaches
+            who: id of the person who answered; empty when nobody is known
+        """
+        for lesson in lessons if self._file is not None else ():
+            try:
+                assert self._file is not None
+                self._keep(self._file, lesson, who)
+                self._read(self._file)
+            except (StoreError, LookupError) as error:
+                self._warn(f'"{lesson.said}" is not learned: {error}')
+
+    def _keep(self, file: LearnedFile, lesson: Lesson, who: str) -> None:
+        said, frame, now_s = lesson.said.lower(), lesson.frame_name, self._now()
+        if not lesson.is_agreed:
+            file.decline(Declined(said, frame, who, now_s, lesson.sentence))
+        elif lesson.verb:
+            text = text_of_lesson(lesson, self._lexicon)
+            name = name_of(said, frame)
+            file.add(LearnedUnit(name, said, lesson.verb, frame, text, who, now_s, lesson.sentence))
+
+    def close(self) -> None:
+        """Close the file."""
+        if self._file is not None:
+            self._file.close()

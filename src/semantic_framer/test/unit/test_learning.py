@@ -1,0 +1,126 @@
+"""Learning: a yes is kept and given to the lexicon; what another program forgets is taken from it."""
+
+import threading
+from pathlib import Path
+from typing import Any, List
+
+import pytest
+
+from nearest_meaning.learned import LearnedUnit
+from nearest_meaning.learned_file import MOST_UNITS, LearnedFile
+from semantic_framer.learning import Learning
+from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.units.lexicon_files import LexiconFiles, LexiconState
+from semantic_framer.values.dialogue import Lesson
+
+UNIT = """# Our own.
+- frame_name: moving
+  verb: [walk]
+- frame_name: going
+  verb: [go, run]
+  elements: {goal: dobj}
+"""
+LESSON = Lesson("make your way", "go", "going", "Make your way home.")
+
+
+class Robot:
+    """A lexicon with one file, and what is learned beside it."""
+
+    def __init__(self, path: Path) -> None:
+        self.lexicon = Lexicon()
+        self.lexicon.add_file(UNIT, "own.yaml")
+        self.announced: List[LexiconState] = []
+        self.warnings: List[str] = []
+        files = LexiconFiles(self.lexicon, threading.RLock(), self.announced.append)
+        self.learning = Learning(str(path), self.lexicon, files, warn=self.warnings.append, now=lambda: 12.0)
+
+    def frames_of(self, verb: str) -> List[str]:
+        return [unit.frame_name for unit in self.lexicon.units_of(verb)]
+
+
+def test_a_yes_is_kept_with_who_and_when_and_is_known_after_a_restart(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([LESSON], "anna")
+    assert robot.frames_of("make your way") == ["going"] and robot.announced[-1].is_learned
+    robot.learning.close()
+    (unit,) = LearnedFile(str(tmp_path / "l.sqlite")).units()
+    assert (unit.name, unit.who, unit.when_s, unit.sentence) == (
+        "make_your_way.going",
+        "anna",
+        12.0,
+        "Make your way home.",
+    )
+    again = Robot(tmp_path / "l.sqlite")
+    (known,) = again.lexicon.units_of("make your way")
+    assert known.is_learned and known.changes is not None and not again.warnings
+    assert not any(one.is_learned for one in again.lexicon.units_of("go"))
+
+
+def test_what_another_program_forgets_is_no_longer_known(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([LESSON], "")
+    other = LearnedFile(str(tmp_path / "l.sqlite"))
+    robot.learning.refresh()
+    assert robot.frames_of("make your way") == ["going"]
+    other.forget("make_your_way.going")
+    robot.learning.refresh()
+    assert robot.frames_of("make your way") == [] and list(robot.lexicon.files) == ["own.yaml"]
+
+
+def test_a_no_is_kept_and_no_unit_is_learned(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([Lesson("zoom", "go", "going", "Zoom home.", is_agreed=False)], "")
+    robot.learning.close()
+    assert Robot(tmp_path / "l.sqlite").learning.declined == {("zoom", "going")}
+    assert robot.frames_of("zoom") == []
+
+
+def test_a_yes_to_a_whole_sentence_teaches_nothing(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([Lesson("go deep home", "", "going", "Go deep home.")], "")
+    assert robot.warnings == [] and robot.frames_of("go deep home") == []
+
+
+def test_a_unit_with_mistakes_is_left_out_and_the_others_are_known(tmp_path: Path) -> None:
+    file = LearnedFile(str(tmp_path / "l.sqlite"))
+    for name, text in (
+        ("a", "verb: [zoom\n"),
+        ("b", "frame_name: going\nverb: zip\n"),
+        ("c", "frame_name: going\nquestion: what\n"),
+    ):
+        file.add(LearnedUnit(name, name, "go", "going", text, "", 1.0, "Zoom."))
+    robot = Robot(tmp_path / "l.sqlite")
+    assert robot.frames_of("zip") == ["going"]
+    assert {problem.path for problem in robot.announced[-1].refused} == {"learned/a.yaml", "learned/c.yaml"}
+
+
+def test_a_damaged_file_is_told_and_learning_goes_on(tmp_path: Path) -> None:
+    (tmp_path / "l.sqlite").write_text("no database " * 500)
+    robot = Robot(tmp_path / "l.sqlite")
+    assert "l.sqlite" in robot.warnings[0]
+    robot.learning.take([LESSON], "")
+    assert robot.frames_of("make your way") == ["going"]
+
+
+def test_where_no_file_can_be_nothing_is_learned_and_nothing_fails(tmp_path: Path) -> None:
+    (tmp_path / "folder").write_text("a file")
+    robot = Robot(tmp_path / "folder" / "l.sqlite")
+    robot.learning.take([LESSON], "")
+    robot.learning.refresh()
+    assert "nothing is learned" in robot.warnings[0] and robot.frames_of("make your way") == []
+
+
+@pytest.mark.parametrize("lesson", [Lesson("zoom", "fly", "going", "Zoom."), Lesson("zoom", "go", "moving", "Zoom.")])
+def test_what_no_file_has_is_not_learned_and_told(tmp_path: Path, lesson: Any) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([lesson], "")
+    assert "zoom" in robot.warnings[0] and robot.frames_of("zoom") == []
+
+
+def test_many_learned_units_are_all_known(tmp_path: Path) -> None:
+    file = LearnedFile(":memory:")
+    assert MOST_UNITS >= 10_000 and file.units() == ()
+    robot = Robot(tmp_path / "l.sqlite")
+    texts = {f"learned/{n}.yaml": f"frame_name: going\nverb: zip{n} along\n" for n in range(500)}
+    robot.learning._files.set_learned(texts)
+    assert all(robot.frames_of(f"zip{n} along") == ["going"] for n in range(500))
