@@ -134,7 +134,8 @@ def _question_word(tree: DependencyTree, top: int) -> Optional[Word]:
     """Return the first question word of a clause that is in no clause inside it."""
     for index in sorted(tree.subtree(top)):
         word = tree.word(index)
-        if word.form.lower() not in _ASKING:
+        # "Show me *where* the bathroom is" says a place.
+        if word.form.lower() not in _ASKING or word.deprel == "case":
             continue
         above: List[Word] = []
         while word.index != top:

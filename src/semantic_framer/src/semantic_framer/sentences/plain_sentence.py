@@ -7,6 +7,7 @@ from semantic_framer.asking.choices import choices_left_open
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.changing.fragment_changes import Change, change_of
 from semantic_framer.changing.things_asked_for import as_said, asked_for
+from semantic_framer.clauses.deed_clauses import DeedClause
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.readings import Heard
@@ -30,7 +31,6 @@ from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
 from semantic_framer.sentences.small_talk import answer_small_talk, small_talk_of
-from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context, Pending
 from semantic_framer.values.outcome import (
     PROHIBITION,
@@ -99,7 +99,7 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
         is_told = refusal.code in (REPORT, TALK, PROHIBITION)
         return Heard(refusal, _told(sentence, case.clauses, context) if is_told else context, sentence, clauses)
-    named_by = _named_by_deeds(sentence, [read.clause for read in clauses], known)
+    named_by = _named_by_deeds(case, [read.clause for read in clauses])
     if named_by:
         now.write("named_by_deeds", named_by, "refused. It is not known which thing that was.")
         return Heard(
@@ -161,19 +161,22 @@ def _answered(asked: Tuple[Reading, ...], sentence: Sentence, context: Context, 
     return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
 
 
-def _named_by_deeds(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> str:
+def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
     """Return the words that tell by a deed of the robot which thing is meant, "that you closed"; empty if none do.
 
     The framer does not know what the robot did: it would take any door.
     """
+    sentence, known = case.sentence, case.known
     for clause in relative_clauses(sentence, clauses):
         features = features_of(sentence.tree, clause.verb)
         is_of_robot = features.agent and sentence.word(features.agent).form.lower() in _HEARERS
-        # What it saw, it may see again.
+        is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
+        if not (is_of_robot and is_over and match_verbs(sentence.tree, clause, known)):
+            continue
+        # What it saw, it may see again; "the person whom you met" is in its log.
         frames = [known.frames[unit.frame_name] for unit in known.lexicon.events.units_of(clause.lemma)]
         is_seen = any(frame.framenet == _SEEING for frame in frames)
-        is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
-        if is_of_robot and is_over and not is_seen and match_verbs(sentence.tree, clause, known):
+        if not is_seen or DeedClause(case, clause.verb, features).deed() is not None:
             return sentence.text(sorted(sentence.subtree(clause.verb)))
     return ""
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import AbstractSet, FrozenSet, Iterable, Iterator, List, Optional, Sequence
 
 from semantic_frames.lexical_unit import LexicalUnit
-from semantic_types.parts_of_speech import ADJECTIVE, NOUN, VERB, parts_of_speech
+from semantic_types.parts_of_speech import ADJECTIVE, NOUN, VERB, base_forms, parts_of_speech
 from spoken_quantities import find_unit, number_words, unit_words
 from utterance_passes.engine.utterance_pass import Example, Kind, word_pass
 from utterance_passes.trees.spelling import Spelling
@@ -111,7 +111,9 @@ def _meant(word: str, before: Sequence[str], behind: str, vocabulary: Verbs) -> 
     """
     said = word.lower()
     known = vocabulary.spellings | _known_words()
-    if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
+    # "Unmuted" is a form of a verb that WordNet does not have.
+    is_verb = not vocabulary.words.isdisjoint(base_forms(said, VERB))
+    if said in known or is_verb or said in vocabulary.names or parts_of_speech(said):
         return None
     nears = frozenset(_near(said))
     negation = next(iter(sorted(nears & _NEGATIONS.keys())), None)
