@@ -46,6 +46,9 @@ _CONTENT = frozenset(["NOUN", "PROPN", "VERB", "ADJ", "ADV", "NUM", "PRON"])
 _NEVER_LEFT_OUT = frozenset(["root", "obj", "iobj", "nsubj", "compound", "conj"])
 #: Relations of words that are part of an idiom: "make *your* way", "have *a good* look".
 _OF_IDIOMS = frozenset(["det", "nmod:poss", "amod"])
+#: The role of elements that say which way, and the relations of words that may say it.
+_DIRECTION = "Direction"
+_OF_WAYS = frozenset(["obl", "advmod", "compound:prt"])
 _LONGEST_IDIOM = 3
 _MOST_ROUNDS = 3
 _MOST_TRIED = 8
@@ -199,8 +202,12 @@ def _is_needed(word: Word, frames: Iterable[SemanticFrame]) -> bool:
     """Whether another thing would be done without a word: a deed, an object, a direction, or an amount of a motion."""
     elements = [element for frame in frames for element in frame.frame_elements]
     values = {part for element in elements for value in element.values for part in value.split()}
-    is_amount = word.upos == "NUM" and any(element.quantity is not None for element in elements)
-    if word.form.lower() in _SIDES:
+    is_measured = any(element.quantity is not None for element in elements)
+    is_amount = is_measured and (word.upos == "NUM" or any(letter.isdigit() for letter in word.form))
+    # "Drive *in reverse* 1 metre", "go *sideways*" say which way.
+    has_direction = any(element.framenet == _DIRECTION for element in elements)
+    is_way = is_measured and has_direction and word.deprel in _OF_WAYS
+    if word.form.lower() in _SIDES or is_way:
         return True
     return is_amount or word.deprel.split(":")[0] in _NEVER_LEFT_OUT or word.form.lower() in values
 
