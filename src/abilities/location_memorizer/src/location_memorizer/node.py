@@ -15,6 +15,7 @@ from location_memorizer.ros_world import place_of, places_of
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
 from rfnserver.places import location_name
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.unreadable_file import set_aside
@@ -75,9 +76,7 @@ class LocationMemorizer:
         settings = read_parameters(Settings, prefix=parameters)
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
-        self._memory_file = os.path.expanduser(
-            settings.memory_file or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
-        )
+        self._memory_file = os.path.expanduser(settings.memory_file or file_in_ros_home("locations.yaml"))
         # A person writes the one file, and this node the other: its names are known by their words already.
         places = (self._read(settings.places_file) or {}) if settings.places_file else {}
         self._places = {location_name(name): location for name, location in places.items()}

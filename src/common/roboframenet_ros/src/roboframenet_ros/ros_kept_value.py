@@ -1,6 +1,5 @@
 """A value that outlives its node, as long as the master lives."""
 
-import os
 import re
 import time
 import uuid
@@ -8,6 +7,7 @@ from pathlib import Path
 
 import rospy
 
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.kept_file import KeptFile, remove_forgotten
 
 _KEY = re.compile("[0-9a-f]{32}")
@@ -31,7 +31,7 @@ class KeptValue:
         if not isinstance(key, str) or not _KEY.fullmatch(key):
             key = uuid.uuid4().hex
             rospy.set_param(parameter, key)
-        folder = Path(os.environ.get("ROS_HOME", "~/.ros")).expanduser() / "roboframenet"
+        folder = Path(file_in_ros_home("roboframenet"))
         remove_forgotten(folder, now_s=time.time())
         self._file = KeptFile(folder / f"{key}.json")
         self._is_empty = False

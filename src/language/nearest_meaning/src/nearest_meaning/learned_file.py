@@ -1,10 +1,10 @@
 """Keeps what persons taught in a SQLite file: what was acknowledged survives a killed process and a power cut."""
 
-import os
 import sqlite3
 from typing import Callable, FrozenSet, List, Sequence, Tuple, TypeVar
 
 from nearest_meaning.learned import Declined, LearnedUnit
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.sqlite_file import SqliteFile, StoreError
 
 #: Written into the file; another number is a file of another program or version.
@@ -19,7 +19,7 @@ _Row = TypeVar("_Row", LearnedUnit, Declined)
 
 def default_learned_file() -> str:
     """Return where it is kept when nobody names another file."""
-    return os.path.join(os.path.expanduser(os.environ.get("ROS_HOME", "~/.ros")), "learned.sqlite")
+    return file_in_ros_home("learned.sqlite")
 
 
 def _create(connection: sqlite3.Connection) -> None:
@@ -87,7 +87,9 @@ class LearnedFile:
             try:
                 found.append(read(row))
             except ValueError as error:
-                self.problems += (f"{self.path}: the entry {row[0]!r} is left out: {error}",)
+                problem = f"{self.path}: the entry {row[0]!r} is left out: {error}"
+                if problem not in self.problems:
+                    self.problems += (problem,)
         return tuple(found)
 
     def add(self, unit: LearnedUnit) -> None:

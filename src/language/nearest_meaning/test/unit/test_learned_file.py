@@ -77,6 +77,8 @@ def test_an_entry_that_cannot_be_read_is_left_out_and_the_others_stay(tmp_path: 
     connection.commit()
     connection.close()
     assert file.units() == (unit("b"),) and "'a'" in file.problems[0]
+    file.units()
+    assert len(file.problems) == 1
 
 
 def test_a_full_file_refuses_more_and_replaces_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:

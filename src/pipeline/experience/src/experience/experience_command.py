@@ -11,6 +11,7 @@ from experience.memory import Memory
 from experience.rules import Rule
 from experience.store import Store, row_of, rule_from_text, rule_to_text, trial_from_row
 from experience.trial import Trial
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.sqlite_file import StoreError
 
 EXAMPLES = """examples:
@@ -155,7 +156,7 @@ def _file_of_the_node() -> str:
     from experience.ros_running_node import file_of_the_node
 
     named = file_of_the_node()
-    return os.path.expanduser(named or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "experience.sqlite"))
+    return os.path.expanduser(named or file_in_ros_home("experience.sqlite"))
 
 
 def _reload() -> str:

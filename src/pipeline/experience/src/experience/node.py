@@ -34,6 +34,7 @@ from experience.trial import Outcome, Trial
 from experience.whereabouts import Sequences, Whereabouts
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
@@ -88,8 +89,7 @@ class ExperienceNode:
             StartError: there is no file, not even a new one
         """
         self._settings = settings
-        home = os.environ.get("ROS_HOME", "~/.ros")
-        self._path = os.path.expanduser(settings.file or os.path.join(home, "experience.sqlite"))
+        self._path = os.path.expanduser(settings.file or file_in_ros_home("experience.sqlite"))
         try:
             self._store = Store(self._path, most_trials=settings.most_trials)
             self._memory = self._remembered()

@@ -1,6 +1,5 @@
 """The emergency stop as other nodes see it: the latched topic, and the file behind it."""
 
-import os
 import threading
 import time
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import EmergencyStop
 
+from roboframenet_ros.home_folder import file_in_ros_home
 from robot_stop.emergency import Emergency, newer
 from robot_stop.emergency_file import EmergencyFile
 
@@ -22,9 +22,8 @@ OWNER = "stop_server"
 
 def emergency_file() -> EmergencyFile:
     """Return the file of this robot, below ROS_HOME; each namespace is another robot."""
-    home = Path(os.environ.get("ROS_HOME", "~/.ros")).expanduser()
     robot = rospy.get_namespace().strip("/").replace("/", ".")
-    return EmergencyFile(home / (f"emergency_stop.{robot}.json" if robot else "emergency_stop.json"))
+    return EmergencyFile(Path(file_in_ros_home(f"emergency_stop.{robot}.json" if robot else "emergency_stop.json")))
 
 
 def emergency_to_message(state: Emergency) -> EmergencyStop:

@@ -29,6 +29,7 @@ from arbitrator.plan import AnyCondition
 from arbitrator.standing import Whenever
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.parameters import ParameterError
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -105,9 +106,8 @@ class StandingOrdersNode:
             self._zone = zone_of(settings.time_zone)
         except ValueError as error:
             raise ParameterError(f"~time_zone: {error}") from error
-        home = os.environ.get("ROS_HOME", "~/.ros")
         own_file = f"standing_orders.{robot}.sqlite" if robot else "standing_orders.sqlite"
-        path = os.path.expanduser(settings.file or os.path.join(home, own_file))
+        path = os.path.expanduser(settings.file or file_in_ros_home(own_file))
         try:
             self._store = Store(path)
             orders = self._store.load()

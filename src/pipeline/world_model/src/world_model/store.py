@@ -1,12 +1,12 @@
 """Keeps what was learned in a SQLite file: what was acknowledged survives a killed process and a power cut."""
 
 import json
-import os
 import sqlite3
 import uuid
 from dataclasses import asdict, replace
 from typing import Any, Dict, List, Mapping, Tuple
 
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.sqlite_file import SqliteFile
 from world_model.knowledge import Change, Learned
 from world_model.world_object import Pose, Relation, Sort, WorldObject, mistakes
@@ -21,7 +21,7 @@ _CLOCK_OF_THE_DAY_S = 1e9
 
 def default_memory_file() -> str:
     """Return where the robot keeps what it learned when nobody names another file."""
-    return os.path.join(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros")), "world.sqlite")
+    return file_in_ros_home("world.sqlite")
 
 
 def forgotten_in_words(count: int) -> str:
