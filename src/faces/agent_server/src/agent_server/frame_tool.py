@@ -1,7 +1,7 @@
 """A frame as a tool: its elements as a JSON schema."""
 
 from dataclasses import dataclass
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterable, List, Mapping, Sequence, Tuple
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_frames.extra_thematic import extra_thematic_of_arguments
@@ -203,9 +203,3 @@ def _relations(element: FrameElement, frame: SemanticFrame, servers: Sequence[Se
         for relation in heeded.relations
     ]
     return list(dict.fromkeys(stated or element.relations))
-
-
-def quantity_of(frame: SemanticFrame, name: str) -> Optional[Quantity]:
-    """Return what an element of a frame measures; None if it is words."""
-    element = frame.element(name)
-    return element.quantity if element is not None else None

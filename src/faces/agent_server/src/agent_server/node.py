@@ -12,10 +12,10 @@ from typing import Any, Coroutine, Optional, Sequence, Set
 import rosgraph
 import rospy
 
-from agent_server.settings import Settings
+from agent_server.settings import ADDRESS, Settings
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
-from web_console.access import SHORTEST_TOKEN
+from web_console.access import AccessError, check_access, read_token
 
 #: The oldest Python that the SDK runs on.
 OLDEST_PYTHON = (3, 10)
@@ -163,7 +163,7 @@ async def _wait_until_connected(robot: Any) -> None:
 async def _tell_url(server: Any, path: str) -> None:
     while not server.port:
         await asyncio.sleep(_POLL_S)
-    url = f"http://127.0.0.1:{server.port}{path}"
+    url = f"http://{ADDRESS}:{server.port}{path}"
     rospy.set_param("~url", url)
     rospy.loginfo("agents of this machine that know the token find the robot at %s", url)
 
@@ -172,12 +172,12 @@ def _read_token(path: str) -> str:
     if not path:
         raise StartError("streamable HTTP needs ~token_file, a file with a secret (openssl rand -hex 16 > FILE)")
     try:
-        with open(path, encoding="utf-8") as file:
-            token = file.read(8192).strip()
-    except (OSError, ValueError) as error:
-        raise StartError(f"~token_file {path!r} cannot be read: {error}") from error
-    if len(token) < SHORTEST_TOKEN:
-        raise StartError(f"~token_file holds {len(token)} characters; expected at least {SHORTEST_TOKEN}")
+        token = read_token(path)
+        check_access(ADDRESS, token)
+    except AccessError as error:
+        raise StartError(str(error)) from error
+    if not token:
+        raise StartError(f"~token_file {path!r} is empty")
     return token
 
 

@@ -31,6 +31,7 @@ from agent_server.frame_tool import FrameTool, Server, frame_tools
 from agent_server.own_tools import LONGEST_SENTENCE
 from agent_server.robot import NEEDS_INFORMATION, Answer, Progress
 from agent_server.words import OpenQuestion
+from command_server.open_commands import Outcome
 from roboframenet_ros.bounded_text import one_line
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
@@ -40,13 +41,7 @@ from typed_arguments.ros_messages import to_message
 from world_model import World
 from world_model.ros_messages import world_from_message
 
-_OUTCOMES: Mapping[int, str] = {
-    Reply.DONE: "DONE",
-    Reply.FAILED: "FAILED",
-    Reply.REFUSED: "REFUSED",
-    Reply.NEEDS_INFORMATION: NEEDS_INFORMATION,
-    Reply.SUPERSEDED: "SUPERSEDED",
-}
+_OUTCOMES: Mapping[int, str] = {one.value: one.name for one in Outcome}
 _RESULTS: Mapping[int, str] = {TriedFrame.SUCCEEDED: "succeeded", TriedFrame.FAILED: "failed"}
 
 

@@ -1,7 +1,7 @@
 """Checks the arguments of a call against the schema of its tool: what JSON can say, before anything else is asked."""
 
 import math
-from typing import Any, Dict, List, Mapping, Sequence
+from typing import Any, Dict, Mapping, Sequence
 
 from agent_server.frame_tool import LONGEST_ARGUMENT, Schema, spoken
 from agent_server.refused import CallRefused
@@ -10,6 +10,8 @@ from roboframenet_ros.spoken_text import join_with_or
 _NAMES_OF_TYPES = {"string": "a text", "number": "a number", "boolean": "true or false", "integer": "a whole number"}
 #: Arguments that are named in a refusal.
 _MOST_NAMED = 5
+#: Characters of a value that are shown in a refusal.
+_MOST_SHOWN = 60
 
 
 def checked(schema: Schema, arguments: object) -> Dict[str, Any]:
@@ -82,19 +84,15 @@ def _number(name: str, schema: Schema, value: float) -> float:
     if schema["type"] == "integer" and number != int(number):
         raise CallRefused("WRONG_TYPE", f"The {spoken(name)} must be a whole number.")
     unit = f" {schema['unit']}" if "unit" in schema else ""
-    limits: List[str] = []
-    if "minimum" in schema and number < schema["minimum"]:
-        limits.append(f"less than I may do: the limit is {schema['minimum']:g}{unit}")
-    if "maximum" in schema and number > schema["maximum"]:
-        limits.append(f"more than I may do: the limit is {schema['maximum']:g}{unit}")
-    if limits:
-        raise CallRefused("LIMIT", f"The {spoken(name)} of {number:g}{unit} is {limits[0]}.")
-    return number
+    least, most = schema.get("minimum", number), schema.get("maximum", number)
+    if least <= number <= most:
+        return number
+    limit, which = (least, "less") if number < least else (most, "more")
+    raise CallRefused(
+        "LIMIT", f"The {spoken(name)} of {number:g}{unit} is {which} than I may do: the limit is {limit:g}{unit}."
+    )
 
 
 def _shown(value: object) -> str:
     shown = repr(value)
     return shown if len(shown) <= _MOST_SHOWN else f"{shown[:_MOST_SHOWN]}..."
-
-
-_MOST_SHOWN = 60

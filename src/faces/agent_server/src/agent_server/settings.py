@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 from roboframenet_ros.parameters import Parameters, parameter
 
+#: Where streamable HTTP is served: agents of this machine only.
+ADDRESS = "127.0.0.1"
+
 
 @dataclass(frozen=True)
 class Settings(Parameters):

@@ -9,9 +9,9 @@ import uvicorn
 from mcp.server.stdio import stdio_server
 
 from agent_server.mcp_server import AgentServer
+from agent_server.settings import ADDRESS
 from web_console.access import is_token
 
-ADDRESS = "127.0.0.1"
 PATH = "/mcp"
 _BEARER = b"bearer "
 

@@ -59,6 +59,21 @@ def check_access(address: str, token: str) -> None:
         )
 
 
+def read_token(path: str) -> str:
+    """Return the secret in a file; empty for no file.
+
+    Raises:
+        AccessError: the file cannot be read
+    """
+    if not path:
+        return ""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return file.read(2 * _LONGEST_TOKEN).strip()
+    except (OSError, ValueError) as error:
+        raise AccessError(f"~token_file {path!r} cannot be read: {error}") from error
+
+
 def is_token(said: str, token: str) -> bool:
     """Whether a page knows the token; takes the same time for each answer."""
     return hmac.compare_digest(said.encode(), token.encode())

@@ -14,7 +14,7 @@ from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from robot_stop.emergency import Emergency
 from robot_stop.ros_emergency import EmergencyWatch
 from robot_stop.settings import BrakeSettings
-from web_console.access import AccessError, check_access
+from web_console.access import AccessError, check_access, read_token
 from web_console.board import Board
 from web_console.history import MOST_COMMANDS, History
 from web_console.requests import Cancel, Request, Say
@@ -163,8 +163,8 @@ class WebConsole:
 def _start() -> WebConsole:
     settings = read_parameters(Settings)
     os.nice(settings.niceness)
-    token = _read_token(settings.token_file)
     try:
+        token = read_token(settings.token_file)
         check_access(settings.address, token)
     except AccessError as error:
         raise StartError(str(error)) from error
@@ -183,16 +183,6 @@ def _start() -> WebConsole:
     ports = [settings.port + more for more in range(_PORTS)] if 0 < settings.port <= 65536 - _PORTS else [settings.port]
     console.run(ports, settings.address)
     return console
-
-
-def _read_token(path: str) -> str:
-    if not path:
-        return ""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return file.read(8192).strip()
-    except (OSError, ValueError) as error:
-        raise StartError(f"~token_file {path!r} cannot be read: {error}") from error
 
 
 def main() -> None:
