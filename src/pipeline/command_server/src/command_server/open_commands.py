@@ -365,6 +365,11 @@ def ending_of_cancelled(command: CommandText) -> Ending:
     return Ending(command=command, outcome=Outcome.SUPERSEDED, stage=OWN_STAGE, code="STOPPED", sentence=sentence)
 
 
+def ending_if_stopped(command: CommandText, *, stop_stamp_ns: int) -> Optional[Ending]:
+    """Return the ending of a command that is not newer than the last stop; None for one that may begin."""
+    return ending_of_cancelled(command) if command.stamp_ns <= stop_stamp_ns else None
+
+
 def ending_at_shutdown(command: CommandText) -> Ending:
     """Return the ending of an open command when the command server shuts down."""
     sentence = "The command server is shutting down and has cancelled the command."

@@ -13,7 +13,7 @@ from command_server.open_commands import (
     Ending,
     OpenCommands,
     Outcome,
-    ending_of_cancelled,
+    ending_if_stopped,
 )
 from command_server.ros_events import GoalCancelled
 from command_server.ros_messages import command_from_message, command_to_message
@@ -87,11 +87,13 @@ class CalledFrames:
             return
         is_full = len(self._commands.open_commands) >= self._settings.max_open_commands
         self._commands.open(command, stage=FIRST_STAGE)
-        refusal = self._refusal(command) or self._reason_against(call, command, is_full=is_full)
-        if refusal is not None:
-            self._on_not_begun(refusal)
-        elif command.stamp_ns <= stop_stamp_ns:
-            self._on_not_begun(ending_of_cancelled(command))
+        ending = (
+            self._refusal(command)
+            or self._reason_against(call, command, is_full=is_full)
+            or ending_if_stopped(command, stop_stamp_ns=stop_stamp_ns)
+        )
+        if ending is not None:
+            self._on_not_begun(ending)
         else:
             call.command = command_to_message(command)
             self._units.publish(call)

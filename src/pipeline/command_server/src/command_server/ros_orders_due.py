@@ -9,7 +9,7 @@ from command_server.open_commands import (
     CommandText,
     Ending,
     OpenCommands,
-    ending_of_cancelled,
+    ending_if_stopped,
     ending_of_missed,
 )
 from command_server.ros_messages import command_to_message, due_from_message
@@ -50,12 +50,10 @@ class OrdersDue:
         if self._commands.get(command.command_id) is not None:
             return
         self._commands.open(command, stage=EXECUTOR_STAGE)
-        refusal = self._refusal(command)
-        if refusal is not None:
-            self._on_not_begun(refusal)
-        elif command.stamp_ns <= stop_stamp_ns:
-            self._on_not_begun(ending_of_cancelled(command))
-        elif due.not_done:
-            self._on_not_begun(ending_of_missed(command, due.not_done))
+        ending = self._refusal(command) or ending_if_stopped(command, stop_stamp_ns=stop_stamp_ns)
+        if ending is None and due.not_done:
+            ending = ending_of_missed(command, due.not_done)
+        if ending is not None:
+            self._on_not_begun(ending)
         else:
             self._command_plan.publish(CommandPlan(command=command_to_message(command), plan=due.plan))
