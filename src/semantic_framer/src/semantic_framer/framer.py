@@ -134,16 +134,12 @@ def hear(
     if question is not None and is_of_another:
         now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
         context = replace(context, pending=None)
-    heard = best_of_trees(
-        tree,
-        _Utterance(now).checked(tree, context),
-        context,
-        now,
-        lambda other, lines: _Utterance(replace(now, trace=lines)).checked(other, context),
-    )
-    heard = asked_about(
-        tree, heard, context, now, lambda other: _Utterance(replace(now, trace=None)).checked(other, context)
-    )
+
+    def read(other: DependencyTree, lines: Optional[Trace] = None) -> Heard:
+        return _Utterance(replace(now, trace=lines)).checked(other, context)
+
+    heard = best_of_trees(tree, read(tree, trace), context, now, read)
+    heard = asked_about(tree, heard, context, now, read)
     pending = heard.context.pending
     if pending is not None and pending is not question:
         words = heard.outcome.sentence if isinstance(heard.outcome, Question) else ""

@@ -177,6 +177,11 @@ class SemanticFrame:
         """Return the element of that name, or None."""
         return self._by_name.get(name)
 
+    @property
+    def acts(self) -> bool:
+        """Whether the frame is carried out, and neither asks something nor says how things are."""
+        return not (self.is_question or self.is_condition)
+
     @cached_property
     def roles(self) -> FrozenSet[str]:
         """FrameNet's names of its elements."""

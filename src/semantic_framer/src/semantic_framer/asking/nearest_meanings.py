@@ -258,7 +258,7 @@ def _frames_done(heard: Heard, known: FramedLexicon) -> Tuple[str, ...]:
     else:
         return ()
     frames = [known.frames[reading.unit.frame_name] for reading in best]
-    if any(frame.is_question or frame.is_condition for frame in frames) or heard.sentence is None:
+    if not all(frame.acts for frame in frames) or heard.sentence is None:
         return ()
     return tuple(frame.name for frame in frames)
 

@@ -10,7 +10,6 @@ from itertools import dropwhile
 from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequence
 
 from semantic_framer.clauses.event_conditions import (
-    CONDITION_OF_DEED,
     event_condition,
     passive_condition,
     state_condition,
@@ -108,7 +107,7 @@ def read_condition(
         one = _read_one(sentence, known, positions, is_until, somebody)
         return one if one is not None and happens(one, sentence.tree, known.frames) else None
     plain = [index for index in positions if sentence.word(index).upos != "PUNCT"]
-    deed = _by_log(sentence, known, plain) if is_of_the_past else None
+    deed = _by_event(sentence, known, plain, is_of_the_past=True) if is_of_the_past else None
     read = deed or _read_whole(sentence, known, plain, is_until)
     return None if read is None or (must_last and is_momentary(read, known.frames)) else read
 
@@ -199,13 +198,6 @@ def _by_event(
     if event is None:
         return None
     return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
-
-
-def _by_log(sentence: Sentence, known: FramedLexicon, positions: Sequence[int]) -> Optional[ConditionPart]:
-    """Read what the robot has done, or has not; None for anything else."""
-    event = _by_event(sentence, known, positions, is_of_the_past=True)
-    reading = event.reading if event is not None else None
-    return event if reading is not None and reading.unit.frame_name == CONDITION_OF_DEED else None
 
 
 def _read_by_patterns(sentence: Sentence, known: FramedLexicon, said: _Words, is_until: bool) -> List[Reading]:

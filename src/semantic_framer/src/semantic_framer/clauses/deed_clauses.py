@@ -124,7 +124,7 @@ class DeedClause:
 
     def _is_whole(self, reading: Reading, clause: Clause) -> bool:
         frame = self._known.frames[reading.unit.frame_name]
-        if frame.is_question or frame.is_condition or reading.wrong_types:
+        if not frame.acts or reading.wrong_types:
             return False
         if reading.left_over:
             extra = extra_arguments(self._sentence, clause, reading.left_over) or ()

@@ -128,7 +128,8 @@ def event_condition(
         known: lexical units and frames
         features: of the clause
         words: positions of all of its words
-        is_of_the_past: whether the log is asked what has been done; a wait is no condition of what is to come
+        is_of_the_past: whether only the log of the robot is asked, which knows its waits, too; "until you have waited"
+            is a time
     """
     top = features.top
     if sentence.word(top).upos != "VERB":
@@ -138,13 +139,15 @@ def event_condition(
     if features.form is not Form.PLAIN or features.modal or not (features.agent or features.is_passive):
         return None
     clause = DeedClause(Case(sentence, (), (), known, Policy()), top, features, words)
+    if (clause.is_of_robot and features.aspect not in _DONE) or (is_of_the_past and not clause.is_of_robot):
+        return None
     deed = clause.deed()
     if deed is None or deed.missing or clause.said_when or not words <= _words_read(sentence, clause, deed):
         return None
     if clause.is_of_robot:
         if any(child.form.lower() == _AFTER for child in sentence.children(top)):
             return None  # "After you have closed the door, go": it shall close it first.
-        return _of_robot(known, clause, deed, is_of_the_past) if features.aspect in _DONE else None
+        return _of_robot(known, clause, deed, is_of_the_past)
     result = known.frames[deed.unit.frame_name].results_in
     reading = None
     if result is not None and features.aspect in (Aspect.PRESENT, *_DONE) and result.frame in known.frames:
@@ -201,10 +204,10 @@ def _of_result(clause: DeedClause, deed: Reading, result: Result) -> Optional[Re
     "Agent" stands for whoever does it: who goes somewhere is there. Who has taken the mug from the table has the mug,
     but who has the mug did not always take it from there.
     """
-    if clause.features.is_passive and not clause.features.agent and AGENT in dict(result.elements).values():
+    told = {value for _, value in result.elements}
+    if AGENT in told and clause.features.is_passive and not clause.features.agent:
         return None  # Nobody is said who could have it then.
-    told = {AGENT, *dict(result.elements).values()}
-    if any(argument.source is Source.SAID and argument.name not in told for argument in deed.arguments):
+    if any(argument.source is Source.SAID and argument.name not in told | {AGENT} for argument in deed.arguments):
         return None
     arguments = []
     for name, value in result.elements:

@@ -194,6 +194,7 @@ class _Finder:
 
     def _condition(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
         start = place + length
+        is_order = link.kind is LinkKind.UNTIL and bool(self._denial())
         for end in range(len(self.words), start, -1):
             if not self._may_end(start, end):
                 continue
@@ -206,7 +207,7 @@ class _Finder:
                 [word.index for word in words],
                 is_until=link.kind is LinkKind.UNTIL,
                 must_last=link.kind is LinkKind.WHILE,
-                is_of_the_past=link.kind in _OF_THE_PAST or (link.kind is LinkKind.UNTIL and bool(self._denial())),
+                is_of_the_past=is_order or link.kind in _OF_THE_PAST,
             )
             if condition is not None:
                 return self._put_off(self._joint(link, place, end, length, condition)), end

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Dict, Iterable, Mapping, NamedTuple, Optional, Tuple
+from typing import Dict, Iterable, List, Mapping, NamedTuple, Tuple
 
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -43,19 +43,15 @@ class Deeds:
 
 def deeds_of_units(units: Iterable[LexicalUnit], frames: Mapping[str, SemanticFrame]) -> Deeds:
     """Return what units whose frames act say of them."""
-    acting = [unit for unit in units if unit.verbs and _acts(frames.get(unit.frame_name))]
+    acting = [unit for unit in units if unit.verbs and unit.frame_name in frames and frames[unit.frame_name].acts]
     learned = [unit for unit in acting if unit.is_learned]
     left_out = {id(unit) for unit in learned[:-_MOST_LEARNED]}
     acting = [unit for unit in acting if id(unit) not in left_out]
     verbs: Dict[Tuple[str, str], Tuple[LexicalUnit, str]] = {}
-    found = []
+    found: List[DeedExample] = []
     for unit in acting:
-        for verb in unit.verbs if not unit.class_verbs else [one for one in unit.verbs if one not in unit.class_verbs]:
-            verbs.setdefault((unit.frame_name, verb), (unit, verb))
-        for example in unit.examples:
-            found.append(DeedExample(unit, example.text))
+        for verb in unit.verbs:
+            if verb not in unit.class_verbs:
+                verbs.setdefault((unit.frame_name, verb), (unit, verb))
+        found += [DeedExample(unit, example.text) for example in unit.examples]
     return Deeds(tuple(found), tuple(verbs.values()))
-
-
-def _acts(frame: Optional[SemanticFrame]) -> bool:
-    return frame is not None and not frame.is_question and not frame.is_condition

@@ -192,7 +192,7 @@ class _Case:
     def result_is_seen(self) -> bool:
         """Whether a shipped server sees what the deed results in."""
         result = self.unit.result
-        return bool(result) and result.get("state", "open") in self.served.states
+        return bool(result) and ("state" not in result or result["state"] in self.served.states)
 
     @property
     def passive_is_seen(self) -> bool:

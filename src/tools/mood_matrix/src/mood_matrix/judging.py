@@ -106,9 +106,9 @@ class Judge:
             if frame in frames:
                 heeded = HeededElement(element, values=tuple(values))
                 graph.register(frame, frame, ServerProfile(purpose=Purpose.WATCHES, heeds=(heeded,)))
-        self._idle: FrozenSet[str] = frozenset(
-            name for name, frame in frames.items() if frame.is_question or frame.is_condition
-        ) | (_IDLE | STATES)
+        self._idle: FrozenSet[str] = frozenset(name for name, frame in frames.items() if not frame.acts) | (
+            _IDLE | STATES
+        )
 
     def judge(self, sentence: Sentence) -> Judged:
         """Understand a sentence and compare the result with the right answer."""

@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     own: Dict[str, List[str]] = {}
     for unit in knowledge.lexicon.units:
         frame = knowledge.frames.get(unit.frame_name)
-        if frame is not None and not frame.is_question and not frame.is_condition:
+        if frame is not None and frame.acts:
             own.setdefault(unit.frame_name, []).extend(verb for verb in unit.verbs if verb not in unit.class_verbs)
     owned = frozenset(knowledge.lexicon.verbs)
     for name in arguments.frame or sorted(own):
