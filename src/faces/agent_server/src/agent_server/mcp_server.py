@@ -21,7 +21,7 @@ from agent_server.refused import CallRefused
 from agent_server.robot import DONE, NEEDS_INFORMATION, REFUSED, Answer, Progress, Robot
 from agent_server.schema_check import checked
 from agent_server.words import YES_OR_NO, check_said
-from agent_server.world_view import world_view
+from agent_server.world_view import one_line, world_view
 from web_console.rate_limit import Rate, RateLimit
 
 NAME = "roboframenet"
@@ -65,6 +65,11 @@ class _Agent:
     rate: RateLimit
     running: int = 0
     session: Any = None
+
+    @property
+    def who(self) -> str:
+        """Who asks, as the log of deeds has it."""
+        return f"agent {self.name}"
 
 
 @dataclass(frozen=True)
@@ -204,7 +209,7 @@ class AgentServer:
                 raise CallRefused("UNKNOWN_TOOL", f"No server of this robot carries out {name[:60]!r} now.")
             return await self._call_frame(request, tool)
         values = checked(OWN[name].schema, request.arguments)
-        self._robot.note(f"agent {request.agent.name}", f"{name} {json.dumps(values, sort_keys=True)}")
+        self._robot.note(request.agent.who, f"{name} {json.dumps(values, sort_keys=True)}")
         if name == "say":
             return await self._say(request, values["text"])
         if name == "stop":
@@ -220,7 +225,7 @@ class AgentServer:
 
     async def _call_frame(self, request: _Request, tool: FrameTool) -> Any:
         call = filled_call(tool, request.arguments, self._robot.world)
-        who = f"agent {request.agent.name}"
+        who = request.agent.who
         if self._robot.emergency:
             raise CallRefused("EMERGENCY_STOP", self._robot.emergency)
         if call.doubts:
@@ -277,7 +282,7 @@ class AgentServer:
         capabilities = session.client_capabilities
         if capabilities is None or capabilities.elicitation is None:
             raise CallRefused("CONFIRM", f"A person must say yes, and your client cannot ask one. {question}")
-        asking = f"{question} (asked by agent {request.agent.name})"
+        asking = f"{question} (asked by {request.agent.who})"
         if session.protocol_version in MODERN_PROTOCOL_VERSIONS:
             raise _InputRequired(self._ask_between(request, asking, about))
         try:
@@ -332,7 +337,7 @@ class AgentServer:
                 self._robot.cancel(command_id)
 
     def _refuse(self, request: _Request, refused: CallRefused) -> Any:
-        who = f"agent {request.agent.name}"
+        who = request.agent.who
         what = f"{request.name[:60]} {json.dumps(request.arguments, default=str)[:200]}"
         self._robot.note(who, f"refused: {refused.code}: {what}")
         self._robot.deeds.add(Deed(who, what, REFUSED, refused.code, str(refused), time.time()))
@@ -411,5 +416,4 @@ def _data(value: Mapping[str, Any]) -> Any:
 
 def _told(text: str) -> str:
     """Return a text of the robot as one line of bounded length."""
-    shown = "".join(letter if letter.isprintable() else " " for letter in text)
-    return shown if len(shown) <= _LONGEST_TOLD else f"{shown[:_LONGEST_TOLD]}..."
+    return one_line(text, _LONGEST_TOLD)

@@ -35,10 +35,10 @@ def world_view(world: World, *, sort: str = "", words: str = "", most: int = 50)
     }
 
 
-def one_line(text: str) -> str:
-    """Return a text of the world without what could be taken for more than a word: no lines, no control characters."""
+def one_line(text: str, longest: int = _LONGEST_WORD) -> str:
+    """Return a text without what could be taken for more than words: on one line, no control characters, and cut."""
     shown = "".join(letter if letter.isprintable() else " " for letter in text)
-    return shown if len(shown) <= _LONGEST_WORD else f"{shown[:_LONGEST_WORD]}..."
+    return shown if len(shown) <= longest else f"{shown[:longest]}..."
 
 
 def _object(one: WorldObject, world: World) -> Dict[str, Any]:

@@ -4,7 +4,8 @@ import math
 
 from agent_cases import frames, servers, tools
 
-from agent_server.frame_tool import frame_tools
+from agent_server.frame_tool import OWN_TOOLS, frame_tools
+from agent_server.own_tools import OWN
 
 
 def test_what_no_server_carries_out_is_no_tool() -> None:
@@ -67,3 +68,7 @@ def test_a_tool_says_that_a_person_must_say_yes() -> None:
     assert tools()["unlocking"].may_want_yes
     assert tools()["switching_device"].may_want_yes
     assert not tools()["turning"].may_want_yes
+
+
+def test_names_of_own_tools_are_kept_from_frames() -> None:
+    assert tuple(OWN) == OWN_TOOLS
