@@ -471,6 +471,8 @@ class EmergencyStopTest(unittest.TestCase):
         path.write_text('{"number": ')
         self.kill("stop_server")
         wait_until(lambda: self.states[-1].is_engaged)
+        # This test may have heard it before the node that refuses commands.
+        wait_until(lambda: is_connected("/stop_server", "emergency_stop", "/command_server"))
         self.assertIn("cannot be read", self.states[-1].sentence)
         self.assert_holds()
         self.assertIn("cannot be read", say(TURN).sentence)
