@@ -24,27 +24,30 @@ _LOOK_S = 1.0
 _ANSWER_TIMEOUT_S = 1.0
 #: A publisher that was killed stays known to the master: it is tried so often.
 _MOST_TRIES = 3
-_LONGEST_WAIT_S = 60.0
+#: Time between two looks at whom this node has ceased to hear, seconds. It asks nobody.
+_LOST_LOOK_S = 5.0
 
 #: A topic, and the XML-RPC address of a node that publishes it.
 Link = Tuple[str, str]
 
 
 def connect_missed_publishers() -> None:
-    """Have a thread look after each new subscription of this node; call it after ``rospy.init_node``, once or more."""
+    """Have a thread look after the subscriptions of this node; call it after ``rospy.init_node``, once or more."""
     listeners = get_registration_listeners()
     if not any(isinstance(listener, MissedPublishers) for listener in listeners.listeners):
         listeners.add_listener(MissedPublishers())
 
 
 class MissedPublishers(RegistrationListener):  # type: ignore[misc]
-    """Looks some time after each subscription whether the node hears everybody who publishes its topics.
+    """Looks whether the node hears everybody who publishes its topics: after each subscription, and each loss.
 
     The master answers a subscription with those who publish the topic, and tells of everybody who comes later. rospy
     keeps the list that it read last: where a publisher comes while the answer is on its way, the answer takes the place
     of what the master told later, and the two are never connected. And where a publisher refuses a connection, because
     it ends and begins to publish just then, rospy does not try again, though it counts the connection for a second
-    more. A stage waits for ever for what another one sends.
+    more. Where several publishers of a topic begin anew at once, rospy connects twice to one of them: the publisher and
+    the subscriber each drop one of the two connections, and not the same one. A stage waits for ever for what another
+    one sends.
     """
 
     def __init__(self) -> None:
@@ -63,11 +66,16 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
 
     def _work(self) -> None:
         unheard: FrozenSet[Link] = frozenset()
+        heard: FrozenSet[Link] = frozenset()
         while not is_shutting_down():
-            if not self._is_changed.wait(_LONGEST_WAIT_S):
+            is_new = self._is_changed.wait(_LOST_LOOK_S)
+            still = _links()
+            if not is_new and heard <= still:
+                heard = still
                 continue
             time.sleep(_LOOK_S)
             self._is_changed.clear()
+            heard = _links()
             # Who has just begun to publish is not missed yet.
             before = unheard
             try:
@@ -101,6 +109,12 @@ class MissedPublishers(RegistrationListener):  # type: ignore[misc]
             uris = [uri for of_topic, uri in links if of_topic == topic]
             rospy.loginfo("rospy missed the publisher of %s at %s; connecting", topic, ", ".join(uris))
             node.publisherUpdate(rospy.get_name(), topic, uris)
+
+
+def _links() -> FrozenSet[Link]:
+    """Return whom this node hears now."""
+    topics = [subscriber.resolved_name for subscriber in list(get_topic_manager().subs.values())]
+    return frozenset((topic, uri) for topic in topics for uri in _heard(topic))
 
 
 def _heard(topic: str) -> FrozenSet[str]:

@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import threading
+import time
 import unittest
 from dataclasses import dataclass
 from typing import Any, Dict, List, Set, Tuple
@@ -220,6 +221,22 @@ class NodeTest(unittest.TestCase):
             subscriber = rospy.Subscriber("refusing", String, lambda message: heard.append(message.data))
             wait_until(lambda: heard == ["here"])
         self.assertEqual(1, len(refused))
+        subscriber.unregister()
+        publisher.unregister()
+
+    def test_subscriber_is_connected_again_when_rospy_has_dropped_its_connection(self) -> None:
+        publisher = rospy.Publisher("dropped", String, queue_size=1, latch=True)
+        publisher.publish(String("here"))
+        connect_missed_publishers()
+        heard: List[str] = []
+        subscriber = rospy.Subscriber("dropped", String, lambda message: heard.append(message.data))
+        wait_until(lambda: heard == ["here"])
+        # Longer than the look behind a new subscription.
+        time.sleep(3.0)
+        for link in list(subscriber.impl.connections):
+            link.close()
+            subscriber.impl.remove_connection(link)
+        wait_until(lambda: heard == ["here", "here"])
         subscriber.unregister()
         publisher.unregister()
 

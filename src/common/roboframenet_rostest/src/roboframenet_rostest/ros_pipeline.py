@@ -9,6 +9,7 @@ import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandGoal, FrameServers, Lexicon, Reply
 
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_waiting import wait_for_action_server
 from roboframenet_testing import comes_true
 
@@ -71,6 +72,7 @@ def wait_for_pipeline(frames: Iterable[str] = (), *, unit_files: Iterable[str] =
         AssertionError: something is missing at the deadline; the message says what
     """
     wanted, files = tuple(frames), tuple(unit_files)
+    connect_missed_publishers()
     with _Known() as known:
 
         def missing() -> List[str]:
