@@ -33,7 +33,10 @@ def made_up_verb(number: int) -> str:
 
 
 def renamed(model: LexicalUnit, verb: str) -> LexicalUnit:
-    """Return a unit like another one, with an invented verb, or with this word in each of its patterns."""
+    """Return a unit like another one, with an invented verb, or with this word in each of its patterns.
+
+    It is asked for nothing, and is no state: there are as many of these as there are meanings of "be".
+    """
 
     def with_verb(patterns: Tuple[WordPattern, ...]) -> Tuple[WordPattern, ...]:
         return tuple(dataclasses.replace(pattern, text=f"{verb} {pattern.text}") for pattern in patterns)
@@ -45,6 +48,9 @@ def renamed(model: LexicalUnit, verb: str) -> LexicalUnit:
         questions=with_verb(model.questions),
         remarks=with_verb(model.remarks),
         conditions=with_verb(model.conditions),
+        events=(verb,) if model.events else (),
+        asks=(),
+        holds=(),
         examples=(),
     )
 

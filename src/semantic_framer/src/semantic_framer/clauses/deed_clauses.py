@@ -6,9 +6,11 @@ from typing import FrozenSet, Optional, Tuple
 from semantic_framer.clauses.readings import meant_readings
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
-from semantic_framer.kinds.clause_features import ClauseFeatures
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures
 from semantic_framer.units.frame_roles import PLACES
+from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.reading import Reading
+from semantic_framer.values.sentence import Sentence
 from typed_arguments import EmbeddedFrame, Source, TypedArgument
 from utterance_passes.phrases.clauses import Clause, clause_of
 from utterance_passes.phrases.verb_matching import match_verbs
@@ -21,6 +23,7 @@ ROBOT, SPEAKER, WHO, WHETHER, WHERE, HOW = "robot", "speaker", "who", "whether",
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
 _WHO = word_class("relative_persons") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
 _PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
+_OBJECTS = frozenset(["dobj", "obj"])
 #: What a question word asks for that stands for no element.
 _ASKED = {"when": "when", "why": "why"}
 _OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
@@ -28,6 +31,29 @@ _OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
 _PERSON = "Human"
 #: FrameNet's name of when something is done.
 _TIME_SAID = "Time"
+
+
+def of_own_deed(sentence: Sentence, features: ClauseFeatures, known: FramedLexicon) -> ClauseFeatures:
+    """Return the features of "you are *docked*" as those of "you have docked", others as they are.
+
+    Only a deed without an object results in a state of who does it: who is moved did not move.
+
+    Args:
+        sentence: the sentence
+        features: of the clause
+        known: lexical units and frames
+    """
+    if not features.is_passive or features.agent or features.modal or features.aspect is not Aspect.PRESENT:
+        return features
+    subjects = [child for child in sentence.children(features.top) if child.deprel == "nsubj:pass"]
+    units = known.lexicon.units_of(sentence.word(features.top).lemma.lower(), known.frames)
+    acting = [unit for unit in units if known.frames[unit.frame_name].acts]
+    has_object = any(
+        path.steps[0] in _OBJECTS for unit in acting for relation in unit.relations for path in relation.relations
+    )
+    if not acting or has_object or [child.form.lower() in _HEARERS for child in subjects] != [True]:
+        return features
+    return replace(features, agent=subjects[0].index, is_passive=False, aspect=Aspect.DONE)
 
 
 class DeedClause:

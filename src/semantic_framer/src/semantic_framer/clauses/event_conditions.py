@@ -6,7 +6,7 @@ What the robot does is known from its log. What others do is known by what it re
 from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional
 
-from semantic_framer.clauses.deed_clauses import AGENT, DeedClause
+from semantic_framer.clauses.deed_clauses import AGENT, DeedClause, of_own_deed
 from semantic_framer.clauses.state_clauses import state_clause
 from semantic_framer.clauses.state_phrases import WHETHER
 from semantic_framer.filling.matching import match_units
@@ -134,6 +134,7 @@ def event_condition(
     top = features.top
     if sentence.word(top).upos != "VERB":
         return None
+    features = of_own_deed(sentence, features, known)
     if any(child.deprel == "cop" for child in sentence.children(top)) and not features.is_passive:
         return None
     if features.form is not Form.PLAIN or features.modal or not (features.agent or features.is_passive):

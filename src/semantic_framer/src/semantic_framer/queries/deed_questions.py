@@ -7,7 +7,7 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 from dataclasses import replace
 from typing import Optional, Sequence, Tuple
 
-from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause
+from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause, of_own_deed
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_among, features_of
 from semantic_framer.kinds.question_extent import words_of_question
@@ -139,6 +139,8 @@ def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:
 
 def _asked_of(case: Case, features: ClauseFeatures, context: Context) -> Tuple[Reading, ...]:
     sentence, known = case.sentence, case.known
+    if features.form is Form.POLAR:  # "Tell me when you are docked" asks for no time.
+        features = of_own_deed(sentence, features, known)
     top, features = _of_what_is_meant(sentence, features.top, features)
     aspect = _aspect(features)
     is_state = any(child.deprel == "cop" for child in sentence.children(top))
