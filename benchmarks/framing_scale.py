@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Measures framing: with 50 lexical units and frames and with 10,000, alternately in one run on the same parsed
-sentences, and the time for a sentence of the shipped domains; all in processor time."""
+sentences, and sentences of the shipped domains beside their parses; all in processor time."""
 
 import dataclasses
 import random
@@ -20,8 +20,8 @@ from utterance_passes.trees.tree import DependencyTree
 COUNTS = (50, 10000)
 ROUNDS = 40
 LIMIT = 1.5
-#: Of the median time to frame a sentence, milliseconds of one core.
-LIMIT_MS = 2.0
+#: Of the median time to frame a sentence to that of its parse.
+LIMIT_TO_PARSE = 0.5
 SAMPLE, SEED = 200, 11
 SYLLABLES = ("ba", "ko", "li", "mu", "ne", "ra", "so", "ti", "vu", "ze")
 Scale = Tuple[Lexicon, Mapping[str, SemanticFrame]]
@@ -105,14 +105,19 @@ def main() -> int:
         f"{many:.3f} | {few:.3f} ms per command, ratio {many / few:.3f}  "
         f"(at most {LIMIT}: {'held' if is_held else 'MISSED'})"
     )
-    trees = [parser.parse(sentence, domains[0].verbs) for sentence in sample]
+    trees, parse_ms = [], []
+    for sentence in sample:
+        start_s = time.process_time()
+        trees.append(parser.parse(sentence, domains[0].verbs))
+        parse_ms.append(1000.0 * (time.process_time() - start_s))
     time_ms(trees, domains)
     each_ms = sorted(time_ms(trees, domains))
     p50_ms, p99_ms = statistics.median(each_ms), each_ms[int(0.99 * len(each_ms))]
-    is_quick = p50_ms <= LIMIT_MS
+    ratio = p50_ms / statistics.median(parse_ms)
+    is_quick = ratio <= LIMIT_TO_PARSE
     print(
-        f"framing of {len(trees)} examples of the domains: p50 {p50_ms:.2f} ms, p99 {p99_ms:.2f} ms  "
-        f"(p50 at most {LIMIT_MS:g} ms: {'held' if is_quick else 'MISSED'})"
+        f"framing of {len(trees)} examples of the domains: p50 {p50_ms:.2f} ms, p99 {p99_ms:.2f} ms, ratio to "
+        f"parsing {ratio:.3f}  (at most {LIMIT_TO_PARSE:g}: {'held' if is_quick else 'MISSED'})"
     )
     return 0 if is_held and is_quick else 1
 

@@ -15,7 +15,8 @@ from world_model.world import snapshot
 
 COUNTS = (50, 5000)
 ROUNDS = 40
-LIMIT_MS = 5.0
+#: Of the time for a phrase among the most objects to that among the fewest: it grows as their number does, at most.
+LIMIT = COUNTS[1] / COUNTS[0]
 CATEGORIES = ("mug", "box", "chair", "coffee table", "lamp", "bottle", "book", "plate", "towel", "apple")
 COLOURS = ("red", "blue", "green", "white", "black")
 PHRASES = (
@@ -90,8 +91,10 @@ def main() -> int:
             f"{count:5} objects: median {median:.2f} ms; slowest phrase {slowest!r}: median {of_slowest:.2f} ms, "
             f"95 of 100 times within {late[count, slowest]:.2f} ms\n"
         )
-    is_fast = max(late[COUNTS[-1], text] for text in PHRASES) <= LIMIT_MS
-    sys.stdout.write(f"every phrase at most {LIMIT_MS:g} ms with {COUNTS[-1]} objects: {'yes' if is_fast else 'NO'}\n")
+    few, many = (max(late[count, text] for text in PHRASES) for count in COUNTS)
+    is_fast = many <= LIMIT * few
+    verdict = "held" if is_fast else "MISSED"
+    sys.stdout.write(f"slowest of all, ratio {many / few:.1f}  (at most {LIMIT:g}: {verdict})\n")
     return 0 if is_fast else 1
 
 

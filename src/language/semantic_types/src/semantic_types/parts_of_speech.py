@@ -87,6 +87,7 @@ def parts_of_speech(word: str) -> FrozenSet[str]:
     return _shipped().of(word)
 
 
+@lru_cache(maxsize=4096)
 def base_forms(word: str, part: str) -> Tuple[str, ...]:
     """Return the words that a word may be a form of by the database of the machine; see
     :meth:`PartsOfSpeech.base_forms`.

@@ -3,14 +3,14 @@
 from itertools import dropwhile, takewhile
 from typing import List, Sequence
 
-from semantic_framer.kinds.question_words import length_in_front, phrases_of
+from semantic_framer.kinds.question_words import length_behind, length_in_front, phrases_of
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
 _PADDING = word_class("question_padding")
 _COURTESIES = phrases_of("question_courtesies")
-_ENDINGS = phrases_of("question_endings", "question_courtesies")
+_ENDINGS = phrases_of("question_endings", "question_courtesies", place=-1)
 _EXPLETIVES = phrases_of("question_expletives")
 _ASKING = word_class("question_words")
 _DETERMINERS = word_class("determiners")
@@ -44,7 +44,7 @@ def _length_in_front(forms: Sequence[str]) -> int:
 
 def _length_behind(forms: Sequence[str]) -> int:
     """Return the number of words that stand behind a question: 2 for "is the lamp on right now"."""
-    found = next((len(one) for one in _ENDINGS if tuple(forms[-len(one) :]) == one), 0)
+    found = length_behind(_ENDINGS, forms)
     # "Are you a robot?" does not speak to a robot: nobody who is spoken to has an article.
     is_noun = len(forms) > 1 and forms[-2] in _DETERMINERS
     return found or int(forms[-1] in _PADDING and not is_noun)

@@ -58,10 +58,10 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     """
     frames = known.frames
     # "Well" and "now" may also be words around a sentence.
-    orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence))
+    whole, inner = [word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence)
     found = [
         read
-        for words in orders
+        for words in ([whole, inner] if len(inner) < len(whole) else [whole])
         for unit in known.lexicon.remark_units([spelling(word) for word in words])
         if unit.frame_name in frames and frames[unit.frame_name].is_question
         if not known.heeded or unit.frame_name in known.heeded
