@@ -129,6 +129,14 @@ def _colours(entities: Iterable[Entity]) -> FrozenSet[str]:
     return frozenset(value for one in entities for name, value in one.attributes if name == "color")
 
 
+def _height(one: Entity) -> float:
+    return max(0.1, one.height_m)
+
+
+def _volume(one: Entity) -> float:
+    return (one.x_m[1] - one.x_m[0]) * (one.y_m[1] - one.y_m[0]) * _height(one)
+
+
 class Asker:
     """Draws questions about a scene."""
 
@@ -162,6 +170,11 @@ class Asker:
             "thing_there": self._thing_there,
             "colour": self._colour,
             "biggest": self._biggest,
+            "ranked": self._ranked,
+            "height": self._height,
+            "comparison": self._comparison,
+            "choice": self._choice,
+            "more": self._more,
             "own_place": self._own_place,
         }
         return makers[kind](kind)
@@ -304,12 +317,65 @@ class Asker:
             sized.setdefault(one.room, []).append(one)
         room = self._scene.plan.entities[self._chance.choice(sorted(sized))]
         text = self._text(kind, room=room.name)
-
-        def volume(one: Entity) -> float:
-            return (one.x_m[1] - one.x_m[0]) * (one.y_m[1] - one.y_m[0]) * max(0.1, one.height_m)
-
-        most = (min if "smallest" in text else max)(sized[room.id], key=volume)
+        most = (min if "smallest" in text else max)(sized[room.id], key=_volume)
         return Question(kind, text, (words_of(most),), _all_words([most, room]), _colours([most]))
+
+    def _ranked(self, kind: str) -> Question:
+        rooms = [[one for one in self._scene.entities("furniture") if one.room == room.id] for room in self._rooms]
+        furniture = self._chance.choice([found for found in rooms if len(found) > 2])
+        room = self._scene.plan.entities[furniture[0].room]
+        text = self._text(kind, room=room.name)
+        measured = sorted(furniture, key=_height if "tall" in text else _volume, reverse=True)
+        second = measured[2 if "third" in text else 1]
+        same = [one for one in measured if abs(_height(one) - _height(second)) < 0.01] if "tall" in text else [second]
+        return Question(kind, text, (_all_words(same),), _all_words([*same, room]), _colours(same))
+
+    def _height(self, kind: str) -> Question:
+        one = self._chance.choice(self._unique(self._scene.entities("furniture")))
+        height_m = _height(one)
+        said = f"{height_m:.2f}" if height_m < 1.0 else f"{height_m:.1f}"
+        numbers = frozenset(_NUMBERS.findall(said))
+        return Question(kind, self._text(kind, thing=one.name), (frozenset([said]),), words_of(one), numbers=numbers)
+
+    def _two(self, text: str) -> Tuple[Entity, Entity, bool]:
+        """Return two pieces of furniture of a different measure, and whether the first has more of it."""
+        measure = _height if re.search("tall|high|low", text) else _volume
+        things = self._unique(self._scene.entities("furniture"))
+        one = self._chance.choice(things)
+        # What differs by a hair is the same to whoever looks.
+        others = [other for other in things if not 0.9 < measure(one) / measure(other) < 1.1]
+        other = self._chance.choice(others)
+        return one, other, (measure(one) > measure(other)) != bool(re.search("small|low", text))
+
+    def _comparison(self, kind: str) -> Question:
+        text = self._text(kind, thing="{thing}", other="{other}")
+        one, other, is_more = self._two(text)
+        text = text.format(thing=one.name, other=other.name)
+        return Question(kind, text, names=_all_words([one, other]), verdict="yes" if is_more else "no")
+
+    def _choice(self, kind: str) -> Question:
+        text = self._text(kind, thing="{thing}", other="{other}")
+        one, other, is_more = self._two(text)
+        most = one if is_more else other
+        return Question(kind, text.format(thing=one.name, other=other.name), (words_of(most),), words_of(most))
+
+    def _more(self, kind: str) -> Question:
+        first, second = self._chance.sample(sorted(_COUNTED), 2)
+        room = self._chance.choice(self._rooms)
+        text = self._text(kind, plural=first, other=second, room=room.name)
+        counts = [
+            sum(
+                (_COUNTED[plural] in one.names or _COUNTED[plural] == one.category)
+                and (self._scene.is_seen(one) or one.kind == "furniture")
+                and (room.name not in text or self._scene.room_of(one) == room.id)
+                for one in self._scene.plan.entities.values()
+            )
+            for plural in (first, second)
+        ]
+        is_more = counts[0] < counts[1] if "fewer" in text else counts[0] > counts[1]
+        names = words_of(room) | {_COUNTED[first], _COUNTED[second]}
+        numbers = frozenset(map(str, counts))
+        return Question(kind, text, names=names, numbers=numbers, verdict="yes" if is_more else "no")
 
     def _own_place(self, kind: str) -> Question:
         room = self._scene.plan.entities[self._scene.plan.room_at(self._scene.plan.position(self._scene.state, ROBOT))]

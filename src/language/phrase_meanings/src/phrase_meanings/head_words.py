@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from typing import FrozenSet, Iterable, List, Optional, Tuple
 
-from phrase_meanings.meaning_file import shipped_meanings
+from phrase_meanings.meaning_file import measure_of, shipped_meanings
 from spoken_quantities import find_whole_number
 from typed_arguments import Modifier
 from utterance_passes.phrases.amounts import read_amounts
@@ -17,7 +17,7 @@ _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
 #: Nouns that stand for a number: "a couple of beers".
 _COUPLES = frozenset(["couple"])
 #: By Penn Treebank tag.
-_KINDS_OF_ADJECTIVES = {"JJR": "comparative", "JJS": "superlative"}
+_KINDS_OF_ADJECTIVES = {"JJR": "comparative"}
 _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -151,7 +151,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
         if base in ("amod", "nummod") and _ordinal(form):
             kind, number = "ordinal", _ordinal(form)
         elif base == "amod" and form not in shipped_meanings().quantifiers:
-            kind = _KINDS_OF_ADJECTIVES.get(child.xpos, "adjective")
+            kind = "superlative" if is_superlative(child) else _KINDS_OF_ADJECTIVES.get(child.xpos, "adjective")
         elif base == "compound" and child.index < head:
             kind = "compound"
         elif (
@@ -187,13 +187,19 @@ def property_alone(word: Word) -> Optional[Modifier]:
     """Return the property that an adjective without a noun names: "the *smallest*"; None for another word."""
     form, lemma = word.form.lower(), word.lemma.lower()
     # The parser takes some of them for nouns.
-    is_superlative = word.xpos == "JJS" or (form.endswith("est") and lemma != form)
-    if word.upos != "ADJ" and not is_superlative:
+    is_most = is_superlative(word)
+    if word.upos != "ADJ" and not is_most:
         return None
     number = _ordinal(form)
-    kind = "superlative" if is_superlative else _KINDS_OF_ADJECTIVES.get(word.xpos, "adjective")
+    kind = "superlative" if is_most else _KINDS_OF_ADJECTIVES.get(word.xpos, "adjective")
     kind = "ordinal" if number else kind
     return Modifier(kind, word.form, lemma, number=number, position=word.index)
+
+
+def is_superlative(word: Word) -> bool:
+    """Whether a word asks for the most of something; the parser takes "nearest" for an adjective in its base form."""
+    form = word.form.lower()
+    return word.xpos == "JJS" or (form.endswith("est") and bool(measure_of(form)))
 
 
 def _ordinal(form: str) -> int:

@@ -1,4 +1,4 @@
-"""Reads the file of meanings: the spellings of relations, directions, quantifiers and bounds."""
+"""Reads the file of meanings: the spellings of relations, directions, quantifiers, bounds and measures."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -9,10 +9,11 @@ import yaml
 
 from checked_files.marked_yaml import Reader
 from checked_files.source_files import read_text
+from semantic_types.parts_of_speech import ADJECTIVE, base_forms
 
 #: Next to this module in the source, devel and install space.
 MEANINGS_FILE = Path(__file__).resolve().parent / "meanings.yaml"
-_SECTIONS = ("relations", "directions", "quantifiers", "bounds", "exceptions")
+_SECTIONS = ("relations", "directions", "quantifiers", "bounds", "measures", "exceptions")
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,7 @@ class Meanings:
         directions: "counterclockwise" for "anticlockwise"
         quantifiers: "a" for "an"
         bounds: "at_most" for "up to"
+        measures: of adjectives in their base form: "height" for "tall", "-size" for "small"
         exceptions: prepositions that exclude something
     """
 
@@ -31,6 +33,7 @@ class Meanings:
     directions: Mapping[str, str]
     quantifiers: Mapping[str, str]
     bounds: Mapping[str, str]
+    measures: Mapping[str, str]
     exceptions: FrozenSet[str]
 
     def relation(self, prepositions: str) -> str:
@@ -71,6 +74,19 @@ def _spellings(reader: Reader, node: Optional[yaml.Node], section: str) -> Dict[
                 reader.report("DUPLICATE_SPELLING", words, key, spelling, "a spelling that no other entry has")
             found[spelling] = name_node.value
     return found
+
+
+@lru_cache(maxsize=1024)
+def measure_of(word: str) -> str:
+    """Return what a word measures, with a minus for little of it: "height" for "tallest" and "height"; empty for none.
+
+    Args:
+        word: an adjective in any degree, or the name of a measure, in lower case
+    """
+    measures = shipped_meanings().measures
+    if word in measures.values():
+        return word
+    return next((measures[base] for base in base_forms(word, ADJECTIVE) if base in measures), "")
 
 
 @lru_cache(maxsize=None)

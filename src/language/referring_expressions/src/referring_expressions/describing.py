@@ -14,6 +14,7 @@ MOST_NAMED = 4
 #: Whose something is, from the view of the robot.
 _YOURS = {"my": "your", "your": "my", "our": "our"}
 _PERSONS = word_class("general_person_nouns")
+_THING = "thing"
 _INDEFINITE = frozenset(["any", "some", "no", "other"])
 #: How a person says a relation.
 _SPOKEN = {
@@ -125,8 +126,15 @@ def unknown_of(argument: TypedArgument) -> str:
     """Return a sentence that says that nothing is known of what a phrase refers to: "I know of no mug."."""
     if argument.semantic_type == "Human" and not argument.quantifier:
         return f"I do not know {as_said(argument)}."
+    return f"I know of {none_of(argument)}."
+
+
+def none_of(argument: TypedArgument) -> str:
+    """Return the noun of a phrase for none of it: "no red mug", "nothing red" for "anything red"."""
     noun = bare_noun(argument)
-    return f"I know of no {noun}."
+    first, *rest = noun.split()
+    is_anything = first.lower().endswith(_THING) and first.lower() != _THING
+    return " ".join([f"no{_THING}", *rest]) if is_anything else f"no {noun}"
 
 
 def as_said(argument: TypedArgument) -> str:

@@ -2,28 +2,22 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, Iterable, Optional, Set, Tuple
+from typing import Iterable, Optional, Sequence, Set, Tuple
 
+from referring_expressions.measures import Objects, in_order, measure
 from semantic_types import spoken
 from typed_arguments import EmbeddedFrame, Modifier, TypedArgument
 from word_classes import without_determiner, word_class
 from world_model import Sort, World, WorldObject
 
-Objects = Tuple[WorldObject, ...]
-
-_BIG = word_class("big_superlatives")
 _DETERMINERS = word_class("determiners_and_possessives")
-_FAR = word_class("far_superlatives")
 _GENERAL_THINGS = word_class("general_thing_nouns")
 _HEARERS = word_class("hearers") | word_class("robot_names")
-_HIGH = word_class("high_superlatives")
-_NEAR = word_class("near_superlatives")
 _PERSON_NOUNS = word_class("general_person_nouns")
 _PLACE_NOUNS = word_class("general_place_nouns")
 _PRONOUNS = word_class("pronouns")
 _PRONOUNS_OF_PLACES = word_class("here_and_there")
 _PORTIONS = word_class("measure_nouns")
-_SMALL = word_class("small_superlatives")
 _SPEAKER = word_class("speaker_possessors")
 _STANDINS = word_class("noun_standins")
 #: What a description with "of" may mean: "the door of the kitchen" leads there, "the mug of Anna" is hers.
@@ -80,10 +74,12 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
     for exception in argument.exceptions:
         left_out = fitting(exception, situation)
         found = tuple(one for one in found if one not in left_out)
-    for modifier in argument.modifiers:
-        if is_superlative(modifier):
-            found = _most(found, modifier, situation)
-        elif modifier.kind == "ordinal" and situation.offered:
+    superlatives = [one for one in argument.modifiers if one.kind == "superlative"]
+    ordinals = [one.number for one in argument.modifiers if one.kind == "ordinal"]
+    if superlatives:
+        found = most_of(found, superlatives, situation, ordinals[0] if ordinals else 1)
+    for modifier in argument.modifiers if not superlatives else ():
+        if modifier.kind == "ordinal" and situation.offered:
             place = modifier.number - 1 if modifier.number > 0 else modifier.number
             found = found[place : place + 1 or None] if -1 <= place < len(found) else ()
         elif modifier.kind == "ordinal":
@@ -142,11 +138,7 @@ def _by_head(argument: TypedArgument, situation: Situation, is_wide: bool) -> Ob
     if named and len(said.split()) > 1:
         return named
     compounds = [modifier for modifier in argument.modifiers if modifier.kind in ("compound", "name")]
-    others = [
-        modifier
-        for modifier in argument.modifiers
-        if modifier.kind in ("adjective", "comparative") and not is_superlative(modifier)
-    ]
+    others = [modifier for modifier in argument.modifiers if modifier.kind in ("adjective", "comparative")]
     if head in _STANDINS and situation.offered:
         return _with(situation.objects(situation.offered), [*compounds, *others])
     if situation.offered and not named and not world.kinds_of(lemma):
@@ -257,42 +249,18 @@ def _outermost(objects: Objects, side: str, situation: Situation) -> Objects:
     return (objects[to_the_left_m.index(most_m)],)
 
 
-def is_superlative(modifier: Modifier) -> bool:
-    """Whether a modifier asks for the most of something; the parser takes "nearest" for an adjective."""
-    return modifier.kind == "superlative" or modifier.word.lower() in _NEAR | _FAR
+def most_of(objects: Objects, superlatives: Sequence[Modifier], situation: Situation, place: int = 1) -> Objects:
+    """Return the object with the most of some properties; none when it is not known of any.
 
-
-def most_of(objects: Objects, superlatives: Iterable[Modifier], situation: Situation) -> Objects:
-    """Return the object with the most of some properties; none when it is not known of any."""
+    Args:
+        objects: those that may be meant
+        superlatives: what is to be the most: "biggest"
+        situation: what is known
+        place: 2 for "the second biggest", -1 for the last one
+    """
     for modifier in superlatives:
-        objects = _most(objects, modifier, situation)
+        wanted = measure(modifier.word)
+        ordered = () if wanted is None else in_order(objects, wanted, situation.world)
+        first = place - 1 if place > 0 else place
+        objects = ordered[first : first + 1 or None] if -len(ordered) <= first < len(ordered) else ()
     return objects
-
-
-def _most(objects: Objects, modifier: Modifier, situation: Situation) -> Objects:
-    """Return the object with the most of a property; none when it is not known of any."""
-    robot = situation.world.robot
-
-    def distance(one: WorldObject) -> float:
-        return robot.pose.distance_m(one.pose) if robot and robot.pose and one.pose else math.inf
-
-    def volume(one: WorldObject) -> float:
-        return one.size_m[0] * one.size_m[1] * one.size_m[2] or math.inf
-
-    def height(one: WorldObject) -> float:
-        return one.size_m[2] or math.inf
-
-    measures: Dict[str, Tuple[Callable[[WorldObject], float], bool]] = {
-        **dict.fromkeys(_BIG, (volume, True)),
-        **dict.fromkeys(_SMALL, (volume, False)),
-        **dict.fromkeys(_HIGH, (height, True)),
-        **dict.fromkeys(_NEAR, (distance, False)),
-        **dict.fromkeys(_FAR, (distance, True)),
-    }
-    if modifier.word.lower() not in measures:
-        return ()
-    measure, is_most = measures[modifier.word.lower()]
-    known = [one for one in objects if math.isfinite(measure(one))]
-    if not known:
-        return ()
-    return ((max if is_most else min)(known, key=measure),)

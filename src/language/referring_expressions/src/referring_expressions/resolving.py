@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple
 
 from referring_expressions.describing import group_alike
-from referring_expressions.fitting import Objects, Situation, fitting
+from referring_expressions.fitting import Situation, fitting
+from referring_expressions.measures import Objects
 from typed_arguments import Source, TypedArgument
 from word_classes import word_class
 

@@ -7,6 +7,7 @@ from typing import Callable, Dict, List, Sequence
 from question_answering.answers_about_deeds import ABOUT_DEEDS
 from question_answering.answers_about_events import ABOUT_EVENTS
 from question_answering.answers_about_holders import ABOUT_HOLDERS, what_is_held
+from question_answering.answers_about_measures import ABOUT_MEASURES
 from question_answering.answers_about_states import ABOUT_STATES
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import (
@@ -35,10 +36,11 @@ from referring_expressions.describing import (
     bare_noun,
     counted_noun,
     name_of,
+    none_of,
     noun_of,
     place_of,
 )
-from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative, most_of
+from referring_expressions.fitting import at_place, is_of_unknown_speaker, most_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import spoken
 from typed_arguments import Modifier, Source, TypedArgument
@@ -173,7 +175,7 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     if "location" in arguments and not is_known_place(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:
-        return f"I know of no {bare_noun(theme)}{where}."
+        return f"I know of {none_of(theme)}{where}."
     verb = "is" if len(found) == 1 else "are"
     return f"As far as I know, there {verb} {len(found)} {counted_noun(theme, len(found))}{where}."
 
@@ -228,7 +230,7 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
         called = name_for(theme, candidates[0])
         return f"No, {called} {verb_of(candidates, called)} {place_of(candidates[0], known.world)}."
     return (
-        f"No, I know of no {bare_noun(theme)}{where}."
+        f"No, I know of {none_of(theme)}{where}."
         if not is_definite(theme)
         else f"I do not know that {as_said(theme)} is{where}."
     )
@@ -277,14 +279,19 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
 
 def _which(arguments: Arguments, known: RobotKnowledge) -> str:
     theme, rank = arguments["theme"], arguments.get("rank")
-    superlatives = tuple(one for one in theme.modifiers if is_superlative(one))
+    superlatives = tuple(one for one in theme.modifiers if one.kind == "superlative")
+    ordinals = [one for one in theme.modifiers if one.kind == "ordinal"]
     if rank is not None:
-        superlatives += (Modifier("superlative", rank.text, rank.text),)
+        most = rank.text.split()[-1]
+        superlatives += (Modifier("superlative", most, most),)
+        ordinals += [one for one in rank.modifiers if one.kind == "ordinal"]
     words = {one.word.lower() for one in superlatives}
+    places = ordinals if superlatives else []
+    words |= {one.word.lower() for one in places}
     others = replace(
         theme,
         text=" ".join(word for word in theme.text.split() if word.lower() not in words),
-        modifiers=tuple(one for one in theme.modifiers if one not in superlatives),
+        modifiers=tuple(one for one in theme.modifiers if one not in (*superlatives, *places)),
     )
     candidates = at_location(arguments, fitting(others, known.situation, is_wide=True), known)
     if not candidates and "location" in arguments:
@@ -293,9 +300,10 @@ def _which(arguments: Arguments, known: RobotKnowledge) -> str:
         return unknown_of(others)
     if not superlatives:
         return f"I know of {join_with_and(indefinite(candidates))}."
-    found = most_of(candidates, superlatives, known.situation)
+    found = most_of(candidates, superlatives, known.situation, places[0].number if places else 1)
     if not found:
-        return f"I do not know which {bare_noun(others)} is the {superlatives[0].word.lower()}."
+        wanted = " ".join(one.word.lower() for one in (*places, superlatives[0]))
+        return f"I do not know which {bare_noun(others)} is the {wanted}."
     place = place_of(found[0], known.world)
     return f"It is {full_name(found[0])}{f' {place}' if place else ''}."
 
@@ -381,5 +389,6 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     **ABOUT_DEEDS,
     **ABOUT_EVENTS,
     **ABOUT_HOLDERS,
+    **ABOUT_MEASURES,
     **ABOUT_STATES,
 }

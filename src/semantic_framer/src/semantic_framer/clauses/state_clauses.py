@@ -4,8 +4,10 @@
 element of that frame.
 """
 
-from typing import FrozenSet, List, Optional
+from typing import Dict, FrozenSet, List, Optional
 
+from phrase_meanings.head_words import is_superlative
+from phrase_meanings.meaning_file import measure_of
 from semantic_framer.clauses.state_phrases import (
     BELONGING,
     COLOURED,
@@ -16,14 +18,17 @@ from semantic_framer.clauses.state_phrases import (
     HERE,
     IN_STATE,
     LOCATED,
+    MEASURED,
     PERSON,
     PRESENT,
+    THAN,
     THING,
     THINGS_ASKED,
     US,
     WHETHER,
     WHICH,
     WHO,
+    Positions,
     StateClause,
     StatePhrases,
 )
@@ -34,7 +39,9 @@ from word_classes import word_class
 
 _PERSON_NOUNS = word_class("general_person_nouns")
 _WHERE = word_class("words_that_ask_where")
-_WHOSE = "whose"
+_WHOSE, _HOW, _FROM, _OR = "whose", "how", "from", "or"
+#: Which of two is asked for.
+WHICH_OF = "which"
 _NUMBER, _OWN, _BELONG = "number", "own", "belong"
 _PLACE_NOUNS = word_class("general_place_nouns")
 _STATES = word_class("state_particles")
@@ -100,6 +107,9 @@ class _OfBe(StatePhrases):
         if not any(child.deprel == "expl" for child in self._children):
             return None
         place = self._place_of(self._top) or self._place_of(subject)
+        compared = self._more_than(subject, place)
+        if compared is not None:
+            return compared
         if place is None:
             asked = self._asked_of(subject)
             theme = self._theme(subject, self._left(subject))
@@ -134,9 +144,9 @@ class _OfBe(StatePhrases):
             return self._located(subject, top)
         if top.upos in ("NOUN", "PROPN", "PRON", "NUM"):
             return None
-        if top.xpos == "JJS":
+        if is_superlative(top):
             return self._foremost(subject)
-        return self._in_state(subject)
+        return self._measured(subject) or self._in_state(subject)
 
     def _in_which_place(self, subject: Word) -> Optional[StateClause]:
         return self._where(subject) if self._top.lemma.lower() in _PLACE_NOUNS else None
@@ -156,7 +166,10 @@ class _OfBe(StatePhrases):
             return StateClause(COLOURED, "colour", {"theme": self._phrase(owner, self._cases(owner))})
         if subject.lemma.lower() == _NUMBER and owner is not None:
             return self._counted(subject, owner)
-        if any(child.xpos == "JJS" for child in children):
+        if owner is not None and measure_of(subject.lemma.lower()):
+            elements = {"theme": self._phrase(owner, self._cases(owner)), "attribute": (subject.index,)}
+            return StateClause(MEASURED, "measure", elements)
+        if any(is_superlative(child) for child in children):
             here = next((child for child in self._children if child.form.lower() in HERE), None)
             known = next((child for child in children if child.lemma.lower() in _SEEN | {_KNOWN}), None)
             # "The biggest thing *you know of* in the hall."
@@ -179,11 +192,51 @@ class _OfBe(StatePhrases):
         theme = {"theme": self._phrase(things, outside | self._cases(things))}
         return StateClause(LOCATED, COUNT, theme if place is None else {**theme, "location": self._phrase(place)})
 
+    def _measured(self, subject: Word) -> Optional[StateClause]:
+        """Read "how tall is the fridge", "how far is the hall from here", "is the sofa bigger than the bed", "which is
+        taller, the fridge or the shelf".
+        """
+        asked = self._asked_of(subject)
+        if self._top.xpos == "JJR":
+            subjects = [c for c in self._children if c.deprel == "nsubj" and c is not subject] if asked else [subject]
+            found = self._of_two(subjects[0]) if len(subjects) == 1 else {}
+            if found:
+                self._asking = frozenset(self._phrase(subject)) if asked else frozenset()
+                return StateClause(MEASURED, WHICH_OF, {"attribute": (self._top.index,), **found})
+        is_how = any(child.form.lower() == _HOW for child in self._children)
+        standard = self._behind(_FROM if is_how else THAN, self._children)
+        is_thing = subject.upos in ("NOUN", "PROPN", "PRON") and subject.form.lower() not in self._no_themes
+        if not (is_how or standard) or not is_thing or asked:
+            return None
+        elements = {"theme": self._phrase(subject), "attribute": (self._top.index,)}
+        if standard is not None:
+            elements["standard"] = self._phrase(standard, self._cases(standard))
+        return StateClause(MEASURED, "measure" if is_how else WHETHER, elements)
+
+    def _of_two(self, one: Word) -> Dict[str, Positions]:
+        """Return two things of which one is asked for: "the fridge or the shelf"; none if there are no two.
+
+        The parser hangs the second on the first, or on what they are compared by.
+        """
+        around = (*self._sentence.children(one.index), *self._children)
+        items = [c for c in around if c.deprel in ("conj", "nsubj") and c.index > one.index]
+        inner = [c for item in items for c in self._sentence.children(item.index)]
+        joints = [c for c in (*inner, *self._children) if c.deprel == "cc"]
+        if len(items) != 1 or [joint.form.lower() for joint in joints] != [_OR]:
+            return {}
+        without = self._sentence.subtree(items[0].index)
+        other = self._phrase(items[0], frozenset([joints[0].index]))
+        return {"theme": self._phrase(one, without), "alternative": other}
+
     def _foremost(self, subject: Word) -> Optional[StateClause]:
         theme = self._theme(subject)
+        near = next((child for child in self._children if child.form.lower() in US and self._cases(child)), None)
+        if near is not None:  # "Which door is nearest *to you*?"
+            self._asking = self._sentence.subtree(near.index)
         if not self._asked_of(subject) or not theme:
             return None
-        return StateClause(FOREMOST, "theme", {**theme, "rank": (self._top.index,)})
+        places = [child.index for child in self._children if child.deprel == "amod"]
+        return StateClause(FOREMOST, "theme", {**theme, "rank": (*places, self._top.index)})
 
     def _located(self, subject: Word, place: Word) -> Optional[StateClause]:
         form = subject.form.lower()
@@ -200,7 +253,8 @@ class _OfBe(StatePhrases):
             return StateClause(LOCATED, PERSON, words)
         if not asked and form in _PERSON_NOUNS and self._is_asked:
             return StateClause(LOCATED, PERSON, words)
-        if not asked and form in THINGS_ASKED and self._is_asked:
+        is_plain = not any(child.deprel == "amod" for child in self._sentence.children(subject.index))
+        if not asked and form in THINGS_ASKED and is_plain and self._is_asked:
             return StateClause(LOCATED, THING, words)
         theme = self._theme(subject, outside | self._left(subject))
         theme.pop("location", None)
@@ -299,7 +353,9 @@ class _OfVerb(StatePhrases):
         if asked:
             return None if is_ours else StateClause(HAVING, "possession", {"owner": self._phrase(subject)})
         if is_ours and self._is_asked:
-            return StateClause(EXISTING, WHETHER, {"theme": self._phrase(thing, self._left(thing))})
+            return self._more_than(thing, self._place_of(self._top)) or StateClause(
+                EXISTING, WHETHER, {"theme": self._phrase(thing, self._left(thing))}
+            )
         return self._held(subject, thing)
 
     def _of_belonging(self, subject: Word) -> Optional[StateClause]:
@@ -337,6 +393,9 @@ class _OfVerb(StatePhrases):
             return StateClause(LOCATED, asked, {**theme, **where})
         if self._lemma == _KNOWN:
             return None
+        compared = self._more_than(thing, place)
+        if compared is not None:
+            return compared
         if self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE) and not where:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         return StateClause(LOCATED if where else EXISTING, WHETHER, {"theme": self._phrase(thing, outside), **where})

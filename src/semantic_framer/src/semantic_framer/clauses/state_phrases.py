@@ -1,7 +1,7 @@
 """Finds the phrases of a clause that says or asks how things are: its theme, its place, and what is asked of each."""
 
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, Mapping, Optional, Tuple
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.kinds.clause_features import ClauseFeatures, children_of_clause
 from semantic_framer.values.sentence import Sentence
@@ -11,9 +11,10 @@ from word_classes import word_class
 #: The frames of states.
 LOCATED, PRESENT, IN_STATE, EXISTING = "being_located", "being_present", "being_in_state", "existing"
 HAVING, HOLDING, BELONGING = "having", "holding", "belonging"
-COLOURED, FOREMOST = "being_coloured", "being_foremost"
+COLOURED, FOREMOST, MEASURED = "being_coloured", "being_foremost", "being_of_measure"
 #: What may be asked for beside an element.
 WHETHER, THING, PERSON, COUNT = "whether", "thing", "person", "count"
+MANY = "many"
 _HEARERS = word_class("hearers")
 #: Words that mean the robot or the speaker, that ask for things and persons, and that stand for a place.
 US = word_class("hearers") | word_class("speaker_subjects")
@@ -25,6 +26,7 @@ HERE = word_class("places_without_names")
 _LEFT = word_class("padding_of_states")
 _POINTING = word_class("demonstrative_determiners")
 _NO_THEMES_ASKED = word_class("demonstrative_pronouns") | US
+THAN = "than"
 _FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
 Positions = Tuple[int, ...]
 
@@ -73,14 +75,17 @@ class StatePhrases:
         for index in (self._sentence.subtree(self._top.index) & self._words) - said.union(times):
             word = self._sentence.word(index)
             is_small = word.deprel.split(":")[0] in function | {"det", "case"} or word.form.lower() in _LEFT
-            is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in ("many", "be")
+            is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in (MANY, "be")
             is_time = self._is_asked and self._sentence.types.likeliest(index) == "Time"
             if not is_small and not is_own and not is_time and word is not self._subject:
                 return False
         return True
 
     def _cases(self, word: Word) -> FrozenSet[int]:
-        return frozenset(child.index for child in self._sentence.children(word.index) if child.deprel == "case")
+        return frozenset(child.index for child in self._case_words(word))
+
+    def _case_words(self, word: Word) -> Tuple[Word, ...]:
+        return tuple(child for child in self._sentence.children(word.index) if child.deprel == "case")
 
     def _phrase(self, word: Word, without: FrozenSet[int] = frozenset()) -> Positions:
         """Return a phrase without what only asks: "which", "how many"."""
@@ -104,7 +109,7 @@ class StatePhrases:
         return next((child for child in children if child.index in self._words and self._is_place(child)), None)
 
     def _is_place(self, word: Word) -> bool:
-        cases = [child.form.lower() for child in self._sentence.children(word.index) if child.deprel == "case"]
+        cases = [child.form.lower() for child in self._case_words(word)]
         if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
             return False
         is_left = word.form.lower() in _LEFT and word.index != self._top.index
@@ -126,15 +131,16 @@ class StatePhrases:
         if asked is None or asked.index not in inside:
             return ""
         if asked.form.lower() == "how":
-            is_count = any(child.lemma.lower() == "many" for child in self._sentence.children(word.index))
-            return COUNT if is_count else ""
+            # "How *many* of the lamps", "how many *lamps*".
+            counted = (word, *self._sentence.children(word.index))
+            return COUNT if any(one.lemma.lower() == MANY for one in counted) else ""
         return THING if asked.form.lower() in WHICH else ""
 
     def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
         """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
         asks = self._asked_of(word)
         form = word.form.lower()
-        if asks and form in WHO | WHICH:
+        if asks and form in WHO | WHICH | {MANY}:
             inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
             return {} if inner is None else {"theme": self._bare(inner)}
         place = self._place_of(word) if asks else None
@@ -205,3 +211,24 @@ class StatePhrases:
         if self._asked_of(subject) == THING or subject.form.lower() in THINGS_ASKED:
             return StateClause(HOLDING, "theme", {})
         return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})
+
+    def _behind(self, preposition: str, words: Sequence[Word]) -> Optional[Word]:
+        """Return the first of some words behind a preposition; None if it stands before none of them."""
+        return next((one for one in words if [c.form.lower() for c in self._case_words(one)] == [preposition]), None)
+
+    def _more_than(self, things: Word, place: Optional[Word]) -> Optional[StateClause]:
+        """Read "are there *more mugs than plates in the kitchen*"; None for things that are not compared."""
+        more = next((child for child in self._sentence.children(things.index) if child.xpos == "JJR"), None)
+        other = self._behind(THAN, self._children + self._sentence.children(things.index))
+        if more is None or other is None:
+            return None
+        place = place or self._place_of(other)
+        there = self._sentence.subtree(place.index) if place is not None else frozenset()
+        elements = {
+            "theme": self._phrase(things, there | self._sentence.subtree(other.index) | {more.index}),
+            "attribute": (more.index,),
+            "standard": self._phrase(other, there | self._cases(other)),
+        }
+        return StateClause(
+            MEASURED, WHETHER, elements if place is None else {**elements, "location": self._phrase(place)}
+        )

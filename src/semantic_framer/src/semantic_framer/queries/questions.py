@@ -137,6 +137,8 @@ def _read(
             return None  # "is the door open at 18:30" asks about another time
         if not kind and sentence.word(positions[0]).upos == "ADP":
             return None  # "can you see to the washing" asks for no thing
+        if not kind and any(sentence.word(index).upos == "AUX" for index in positions):
+            return None  # "do you know which is bigger" names nobody
         if any(sentence.word(index).form in _SENTENCE_ENDS for index in range(positions[0], positions[-1])):
             return None  # "never use the arm. Go home" has two sentences
         if any(sentence.word(index).form.lower() in _NEGATIONS for index in positions):

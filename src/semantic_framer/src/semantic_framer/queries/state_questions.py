@@ -13,7 +13,7 @@ from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.lexical_unit import LexicalUnit
 
-_ALTERNATIVE = "alternative"
+_ALTERNATIVE, _LOCATION = "alternative", "location"
 
 
 def state_question(case: Case, features: ClauseFeatures) -> Tuple[Reading, ...]:
@@ -60,7 +60,8 @@ def _unit(known: FramedLexicon, clause: StateClause, needs_server: bool) -> Opti
             continue
         if needs_server and known.heeded and frame.name not in known.heeded:
             continue
-        if all(frame.element(name) is not None for name in clause.elements if name != _ALTERNATIVE):
+        is_joined = frame.element(_ALTERNATIVE) is None and _LOCATION in clause.elements
+        if all(frame.element(name) or (name == _ALTERNATIVE and is_joined) for name in clause.elements):
             return unit
     return None
 
@@ -70,8 +71,8 @@ def _reading(sentence: Sentence, known: FramedLexicon, unit: LexicalUnit, clause
     elements = dict(clause.elements)
     if frame.element(_ALTERNATIVE) is None and _ALTERNATIVE in elements:
         # "Who is in the hall or in the kitchen" names one place or the other.
-        first, last = elements["location"], elements.pop(_ALTERNATIVE)
-        elements["location"] = tuple(range(min(first), max(last) + 1))
+        first, last = elements[_LOCATION], elements.pop(_ALTERNATIVE)
+        elements[_LOCATION] = tuple(range(min(first), max(last) + 1))
     inside = frozenset(index for words in elements.values() for index in words)
     own = tuple(word.index for word in sentence.tree.words if word.index not in inside and word.upos != "PUNCT")
     return Reading(
