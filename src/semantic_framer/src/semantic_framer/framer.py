@@ -8,6 +8,7 @@ from semantic_framer.asking.choices import chosen
 from semantic_framer.asking.nearest_meanings import asked_about
 from semantic_framer.asking.other_trees import best_of_trees
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.asking.teaching import agreed, known_by_heart, taught_in_words
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
@@ -44,6 +45,7 @@ from semantic_framer.values.outcome import (
     PROHIBITION,
     Alternatives,
     LeftOverWords,
+    Noted,
     Outcome,
     Policy,
     Question,
@@ -139,6 +141,8 @@ def hear(
         return _Utterance(replace(now, trace=lines)).checked(other, context)
 
     heard = best_of_trees(tree, read(tree, trace), context, now, read)
+    heard = taught_in_words(tree, heard, context, now, read)
+    heard = known_by_heart(heard, context, now)
     heard = asked_about(tree, heard, context, now, read)
     pending = heard.context.pending
     if pending is not None and pending is not question:
@@ -146,7 +150,8 @@ def hear(
         pending = replace(pending, asked=speaker, question=words)
     elif is_of_another:
         pending = question
-    outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
+    is_noted = heard.is_small_talk or isinstance(heard.outcome, Noted)
+    outcome = heard.outcome if is_noted else against_what_runs(heard.outcome, tree)
     if pending is question and not is_of_another and isinstance(outcome, Refusal):
         pending = None if outcome.code in _ENDING_QUESTIONS else pending
     said = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
@@ -290,6 +295,8 @@ class _Utterance:
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return replace(heard, lessons=pending.lessons_of(choice))
+        if pending.lessons:
+            return agreed(pending, meant, context)
         if pending.unfinished is not None:
             return self._completing_sentence(pending.unfinished, meant, context)
         if pending.open_time:
@@ -366,11 +373,8 @@ class _Utterance:
         attached = attached_by_world(sentence, self._now.known, context) if is_on else None
         if attached is None:
             heard = self._with_beginning(sentence, context)
-            return (
-                heard
-                if isinstance(heard.outcome, Understood)
-                else self._extending_last_command(sentence, context) or heard
-            )
+            is_done = isinstance(heard.outcome, Understood)
+            return heard if is_done else self._extending_last_command(sentence, context) or heard
         trace = Trace() if self._trace is not None else None
         heard = _Utterance(replace(self._now, trace=trace))._with_beginning(attached.sentence, context)
         plain = _Utterance(replace(self._now, trace=None))._with_beginning(sentence, context)
@@ -415,7 +419,7 @@ class _Utterance:
             return heard
         known, outcome = self._now.known, heard.outcome
         is_plain = isinstance(outcome, Understood)
-        if not isinstance(outcome, Understood):
+        if isinstance(outcome, (Refusal, Question)):
             heard = understand_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
         if not isinstance(heard.outcome, Understood):
             return heard

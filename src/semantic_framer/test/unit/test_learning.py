@@ -124,3 +124,18 @@ def test_many_learned_units_are_all_known(tmp_path: Path) -> None:
     texts = {f"learned/{n}.yaml": f"frame_name: going\nverb: zip{n} along\n" for n in range(500)}
     robot.learning._files.set_learned(texts)
     assert all(robot.frames_of(f"zip{n} along") == ["going"] for n in range(500))
+
+
+IDIOM = "frame_name: going\nremark: dismissed\nvalues: {goal: the charger}\n"
+
+
+def test_what_is_taught_last_in_words_counts_and_all_of_it_is_forgotten_by_its_words(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    other = "frame_name: moving\nremark: dismissed\n"
+    robot.learning.take([Lesson("dismissed", "go to the charger", "going", "When ...", text=IDIOM)], "anna")
+    robot.learning.take([Lesson("dismissed", "walk", "moving", "When ...", text=other)], "bob")
+    (unit,) = LearnedFile(str(tmp_path / "l.sqlite")).units()
+    assert (unit.name, unit.verb, unit.who, unit.text) == ("dismissed.moving", "walk", "bob", other)
+    robot.learning.take([LESSON, Lesson("dismissed", "", "", "Forget ...", is_forgotten=True)], "bob")
+    assert [one.said for one in LearnedFile(str(tmp_path / "l.sqlite")).units()] == ["make your way"]
+    assert robot.lexicon.remark_units(["dismissed"]) == []
