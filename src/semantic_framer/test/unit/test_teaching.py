@@ -150,6 +150,7 @@ def test_what_was_taught_is_forgotten_by_its_words(known: Any, parser: Any) -> N
     for text, words in (
         ("Forget what I taught you about dismissed.", "dismissed"),
         ("Forget what I taught you about making my way.", "make your way"),
+        ("Forget what I taught you about making my way home.", "make your way"),
     ):
         heard = said(text, wiser, parser)
         assert heard.outcome == Noted("DONE", f'I have forgotten "{words}".')

@@ -238,7 +238,10 @@ def _forgetting(positions: Sequence[int], tree: DependencyTree, heard: Heard, co
     words = [tree.word(index) for index in positions]
     asked = [_bare(one.form for one in words), _bare(one.lemma for one in words)]
     learned = (unit for unit in now.known.lexicon.units if unit.is_learned)
-    found = sorted({said for unit in learned for said in words_of(unit) if _bare(said.split()) in asked})
+    bare = {said: _bare(said.split()) for unit in learned for said in words_of(unit)}
+    # "Moseying over" is about "mosey", too; the longest is meant.
+    matching = {said: len(words) for said, words in bare.items() if any(one[: len(words)] == words for one in asked)}
+    found = sorted(said for said, length in matching.items() if length == max(matching.values()))
     if not found:
         refusal = Refusal(NOT_LEARNED, f'Nobody taught me anything about "{tree.text_of(positions)}".')
         return Heard(refusal, context, heard.sentence)
