@@ -110,6 +110,7 @@ def hear(
     now_s: float = 0.0,
     said_s: float = 0.0,
     is_at_page: bool = False,
+    may_teach: bool = True,
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Heard:
@@ -126,12 +127,14 @@ def hear(
         now_s: time on the caller's clock, seconds; it decides when questions expire
         said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
         is_at_page: whether the utterance comes from the page or from a program, and not from the person who speaks
+        may_teach: whether who speaks may teach the robot words; an agent may not
         without: names of passes and of :data:`.rules.RULES` to switch off, which shows what a rule does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
     known = replace(known, without=without) if without else known
     context = looked_up_again(context.at(now_s).fresh(said_s, policy.fragment_timeout_s), known)
-    now, question, speaker = Now(known, policy, now_s, trace), context.pending, "" if is_at_page else known.speaker
+    now = Now(known, policy, now_s, trace, may_teach)
+    question, speaker = context.pending, "" if is_at_page else known.speaker
     is_of_another = question is not None and not question.may_be_answered_by(speaker)
     if question is not None and is_of_another:
         now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
@@ -166,7 +169,8 @@ def hear(
             trace.add("utterance_kind", after=str(KindVerdict(UtteranceKind.CORRECTION, "against_what_runs")))
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
-    return replace(heard, outcome=outcome, context=replace(heard.context, pending=pending, last=last, question=asked))
+    context = replace(heard.context, pending=pending, last=last, question=asked)
+    return replace(heard, outcome=outcome, context=context, lessons=heard.lessons if may_teach else ())
 
 
 def _last_question(heard: Heard, said_s: float) -> Optional[LastQuestion]:

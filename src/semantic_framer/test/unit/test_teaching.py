@@ -159,6 +159,17 @@ def test_what_was_taught_is_forgotten_by_its_words(known: Any, parser: Any) -> N
         assert isinstance(refused.outcome, Refusal) and refused.outcome.code == "NOT_LEARNED" and not refused.lessons
 
 
+def test_an_agent_teaches_and_forgets_nothing(known: Any, parser: Any) -> None:
+    wiser = with_lessons(known, *taught("When I say dismissed, go to the charger.", known, parser))
+    for text in ("To freshen up means to open the window.", "Forget what I taught you about dismissed."):
+        refused = said(text, wiser, parser, may_teach=False)
+        assert isinstance(refused.outcome, Refusal) and refused.outcome.code == "NOT_LEARNED" and not refused.lessons
+    # It is asked what is meant, and a yes of the person at the client does it and teaches nothing.
+    asked = said("Acquire the ball.", known, parser, may_teach=False)
+    yes = said("Yes.", known, parser, asked.context, may_teach=False)
+    assert isinstance(yes.outcome, Understood) and yes.lessons == ()
+
+
 def test_the_rule_can_be_switched_off(known: Any, parser: Any) -> None:
     outcome = said("To freshen up means to open the window.", known, parser, without=frozenset(["teaching"])).outcome
     assert isinstance(outcome, Refusal) and outcome.code == "REPORT"

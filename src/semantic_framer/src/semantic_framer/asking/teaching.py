@@ -74,11 +74,13 @@ def taught_in_words(tree: DependencyTree, heard: Heard, context: Context, now: N
         return heard
     forgotten = _forgotten(tree, heard, context, now)
     if forgotten is not None:
-        return forgotten
+        return forgotten if now.may_teach else _no_right(heard, context)
     try:
         found = next(_taught(tree, now.known), None)
         if found is None:
             return heard
+        if not now.may_teach:
+            return _no_right(heard, context) if found.is_only_taught else heard
         known = read(rephrased(tree, frozenset(word.index for word in tree.words) - found.said))
     except NotATree:
         return heard
@@ -102,6 +104,11 @@ def taught_in_words(tree: DependencyTree, heard: Heard, context: Context, now: N
     pending = Pending((), 0, (), now.expires_s, lessons=(lesson,))
     question = f'By "{found.words}", do you always mean "{meaning}"?{_so_far(known, now.known)}'
     return Heard(Question("CONFIRM", question), replace(context, pending=pending), heard.sentence)
+
+
+def _no_right(heard: Heard, context: Context) -> Heard:
+    refusal = Refusal(NOT_LEARNED, "Only a person who speaks to me here may teach me words.")
+    return Heard(refusal, replace(context, pending=None), heard.sentence)
 
 
 def _so_far(heard: Heard, known: FramedLexicon) -> str:
