@@ -56,6 +56,13 @@ def test_a_yes_is_kept_with_who_and_when_and_is_known_after_a_restart(tmp_path: 
     assert not any(one.is_learned for one in again.lexicon.units_of("go"))
 
 
+def test_words_may_be_taught_by_words_that_were_taught(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([LESSON, Lesson("zoom", "make your way", "going", "Zoom home.")], "")
+    assert robot.frames_of("zoom") == ["going"] and not robot.warnings
+    assert robot.lexicon.units_of("zoom")[0].changes == robot.lexicon.units_of("make your way")[0].changes is not None
+
+
 def test_what_another_program_forgets_is_no_longer_known(tmp_path: Path) -> None:
     robot = Robot(tmp_path / "l.sqlite")
     robot.learning.take([LESSON], "")

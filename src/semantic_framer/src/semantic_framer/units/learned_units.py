@@ -28,9 +28,13 @@ def text_of_lesson(lesson: Lesson, lexicon: Lexicon) -> str:
         LookupError: the lexicon has no unit of the verb and the frame, with its file
     """
     found: List[Dict[str, Any]] = []
-    for unit in lexicon.units_of(lesson.verb):
-        if unit.frame_name == lesson.frame_name and unit.path in lexicon.files and not unit.is_learned:
-            entry = _entry(lexicon.files[unit.path], unit.line)
+    files = lexicon.files
+    units = [unit for unit in lexicon.units_of(lesson.verb) if unit.frame_name == lesson.frame_name]
+    # The known verb may itself have been taught.
+    written = [unit for unit in units if not unit.is_learned] or units
+    for unit in written:
+        if unit.path in files:
+            entry = _entry(files[unit.path], unit.line)
             kept = {key: value for key, value in entry.items() if key not in _OF_ITS_VERB}
             found.append({"frame_name": unit.frame_name, "verb": lesson.said, **kept})
     if not found:
