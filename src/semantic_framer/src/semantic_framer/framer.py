@@ -8,6 +8,7 @@ from semantic_framer.asking.choices import chosen
 from semantic_framer.asking.nearest_meanings import asked_about
 from semantic_framer.asking.other_trees import best_of_trees
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.asking.teaching import agreed, known_by_heart, taught_in_words
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
@@ -44,6 +45,7 @@ from semantic_framer.values.outcome import (
     PROHIBITION,
     Alternatives,
     LeftOverWords,
+    Noted,
     Outcome,
     Policy,
     Question,
@@ -108,6 +110,7 @@ def hear(
     now_s: float = 0.0,
     said_s: float = 0.0,
     is_at_page: bool = False,
+    may_teach: bool = True,
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Heard:
@@ -124,12 +127,14 @@ def hear(
         now_s: time on the caller's clock, seconds; it decides when questions expire
         said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
         is_at_page: whether the utterance comes from the page or from a program, and not from the person who speaks
+        may_teach: whether who speaks may teach the robot words; an agent may not
         without: names of passes and of :data:`.rules.RULES` to switch off, which shows what a rule does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
     known = replace(known, without=without) if without else known
     context = looked_up_again(context.at(now_s).fresh(said_s, policy.fragment_timeout_s), known)
-    now, question, speaker = Now(known, policy, now_s, trace), context.pending, "" if is_at_page else known.speaker
+    now = Now(known, policy, now_s, trace, may_teach)
+    question, speaker = context.pending, "" if is_at_page else known.speaker
     is_of_another = question is not None and not question.may_be_answered_by(speaker)
     if question is not None and is_of_another:
         now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
@@ -139,6 +144,8 @@ def hear(
         return _Utterance(replace(now, trace=lines)).checked(other, context)
 
     heard = best_of_trees(tree, read(tree, trace), context, now, read)
+    heard = taught_in_words(tree, heard, context, now, read)
+    heard = known_by_heart(heard, context, now)
     heard = asked_about(tree, heard, context, now, read)
     pending = heard.context.pending
     if pending is not None and pending is not question:
@@ -146,7 +153,8 @@ def hear(
         pending = replace(pending, asked=speaker, question=words)
     elif is_of_another:
         pending = question
-    outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
+    is_noted = heard.is_small_talk or isinstance(heard.outcome, Noted)
+    outcome = heard.outcome if is_noted else against_what_runs(heard.outcome, tree)
     if pending is question and not is_of_another and isinstance(outcome, Refusal):
         pending = None if outcome.code in _ENDING_QUESTIONS else pending
     said = heard.sentence.tree if heard.sentence is not None and heard.clauses else None
@@ -161,7 +169,8 @@ def hear(
             trace.add("utterance_kind", after=str(KindVerdict(UtteranceKind.CORRECTION, "against_what_runs")))
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
-    return replace(heard, outcome=outcome, context=replace(heard.context, pending=pending, last=last, question=asked))
+    context = replace(heard.context, pending=pending, last=last, question=asked)
+    return replace(heard, outcome=outcome, context=context, lessons=heard.lessons if may_teach else ())
 
 
 def _last_question(heard: Heard, said_s: float) -> Optional[LastQuestion]:
@@ -290,6 +299,8 @@ class _Utterance:
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return replace(heard, lessons=pending.lessons_of(choice))
+        if pending.lessons:
+            return agreed(pending, meant, context)
         if pending.unfinished is not None:
             return self._completing_sentence(pending.unfinished, meant, context)
         if pending.open_time:
@@ -366,11 +377,8 @@ class _Utterance:
         attached = attached_by_world(sentence, self._now.known, context) if is_on else None
         if attached is None:
             heard = self._with_beginning(sentence, context)
-            return (
-                heard
-                if isinstance(heard.outcome, Understood)
-                else self._extending_last_command(sentence, context) or heard
-            )
+            is_done = isinstance(heard.outcome, Understood)
+            return heard if is_done else self._extending_last_command(sentence, context) or heard
         trace = Trace() if self._trace is not None else None
         heard = _Utterance(replace(self._now, trace=trace))._with_beginning(attached.sentence, context)
         plain = _Utterance(replace(self._now, trace=None))._with_beginning(sentence, context)
@@ -415,7 +423,7 @@ class _Utterance:
             return heard
         known, outcome = self._now.known, heard.outcome
         is_plain = isinstance(outcome, Understood)
-        if not isinstance(outcome, Understood):
+        if isinstance(outcome, (Refusal, Question)):
             heard = understand_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
         if not isinstance(heard.outcome, Understood):
             return heard

@@ -77,10 +77,17 @@ class Learning:
 
     def _keep(self, file: LearnedFile, lesson: Lesson, who: str) -> None:
         said, frame, now_s = lesson.said.lower(), lesson.frame_name, self._now()
+        if lesson.is_forgotten or (lesson.text and lesson.is_agreed):
+            # What was taught last counts: the person was told what the words meant before.
+            for unit in file.units():
+                if unit.said == said:
+                    file.forget(unit.name)
+        if lesson.is_forgotten:
+            return
         if not lesson.is_agreed:
             file.decline(Declined(said, frame, who, now_s, lesson.sentence))
         elif lesson.verb:
-            text = text_of_lesson(lesson, self._lexicon)
+            text = lesson.text or text_of_lesson(lesson, self._lexicon)
             name = name_of(said, frame)
             file.add(LearnedUnit(name, said, lesson.verb, frame, text, who, now_s, lesson.sentence))
 

@@ -36,7 +36,7 @@ from std_msgs.msg import String
 from checked_files.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from nearest_meaning.learned_file import default_learned_file
 from nearest_meaning.likeness import Likeness
-from roboframenet_ros.command_ids import is_spoken
+from roboframenet_ros.command_ids import is_of_agent, is_spoken
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.replays import OLDEST_OF_ALL_NS
 from roboframenet_ros.ros_hand_over import HandOver
@@ -345,6 +345,7 @@ class SemanticFramer:
                     now_s=time.monotonic(),
                     said_s=command.stamp.to_sec(),
                     is_at_page=not is_spoken(command.id),
+                    may_teach=not is_of_agent(command.id),
                     trace=trace,
                 )
                 outcome = heard.outcome

@@ -4,6 +4,7 @@ from typing import Mapping
 
 from semantic_framer.asking.nearest_meanings import RULE as NEAREST_MEANING
 from semantic_framer.asking.other_trees import RULE as OTHER_GOVERNOR
+from semantic_framer.asking.teaching import RULE as TEACHING
 from semantic_framer.judging.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
 from semantic_framer.judging.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
 from semantic_framer.referring.tree_doubts import DOUBTS
@@ -22,6 +23,7 @@ RULES: Mapping[str, str] = {
     "fragment": 'A fragment changes or repeats the last command: "ten feet", "again".',
     "things_asked_for": 'A thing alone is asked for: "the red cup, please".',
     NEAREST_MEANING: "It is asked whether the nearest thing that the robot can do is meant.",
+    TEACHING: "It is asked whether to keep what a person teaches in words, which is known by heart then.",
     OTHER_GOVERNOR: "A word hangs on another of its likely governors, where the first shows that it is wrong.",
     **{name: doubt.reason for name, doubt in DOUBTS.items()},
     "mixed_lists": "The items of a list are done one by one where they are handled in different ways.",

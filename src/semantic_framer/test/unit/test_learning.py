@@ -56,6 +56,13 @@ def test_a_yes_is_kept_with_who_and_when_and_is_known_after_a_restart(tmp_path: 
     assert not any(one.is_learned for one in again.lexicon.units_of("go"))
 
 
+def test_words_may_be_taught_by_words_that_were_taught(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([LESSON, Lesson("zoom", "make your way", "going", "Zoom home.")], "")
+    assert robot.frames_of("zoom") == ["going"] and not robot.warnings
+    assert robot.lexicon.units_of("zoom")[0].changes == robot.lexicon.units_of("make your way")[0].changes is not None
+
+
 def test_what_another_program_forgets_is_no_longer_known(tmp_path: Path) -> None:
     robot = Robot(tmp_path / "l.sqlite")
     robot.learning.take([LESSON], "")
@@ -124,3 +131,18 @@ def test_many_learned_units_are_all_known(tmp_path: Path) -> None:
     texts = {f"learned/{n}.yaml": f"frame_name: going\nverb: zip{n} along\n" for n in range(500)}
     robot.learning._files.set_learned(texts)
     assert all(robot.frames_of(f"zip{n} along") == ["going"] for n in range(500))
+
+
+IDIOM = "frame_name: going\nremark: dismissed\nvalues: {goal: the charger}\n"
+
+
+def test_what_is_taught_last_in_words_counts_and_all_of_it_is_forgotten_by_its_words(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    other = "frame_name: moving\nremark: dismissed\n"
+    robot.learning.take([Lesson("dismissed", "go to the charger", "going", "When ...", text=IDIOM)], "anna")
+    robot.learning.take([Lesson("dismissed", "walk", "moving", "When ...", text=other)], "bob")
+    (unit,) = LearnedFile(str(tmp_path / "l.sqlite")).units()
+    assert (unit.name, unit.verb, unit.who, unit.text) == ("dismissed.moving", "walk", "bob", other)
+    robot.learning.take([LESSON, Lesson("dismissed", "", "", "Forget ...", is_forgotten=True)], "bob")
+    assert [one.said for one in LearnedFile(str(tmp_path / "l.sqlite")).units()] == ["make your way"]
+    assert robot.lexicon.remark_units(["dismissed"]) == []

@@ -81,6 +81,15 @@ def test_what_nothing_is_like_is_refused_as_before(known: Any, parser: Any) -> N
     assert refused == Refusal("NO_READING", 'I know "make", but not in this sentence.')
 
 
+def test_a_refusal_says_what_can_be_done_that_is_near(known: Any, parser: Any) -> None:
+    texts = {one.unit.frame_name: one.text for one in known.lexicon.deeds(known.frames).examples}
+    like = replace(known, likeness=Alike(texts["navigating_to_location"], texts["perceiving"]))
+    refused = said("Betake yourself to the kitchen.", like, parser).outcome
+    assert refused == Refusal("UNKNOWN_VERB", 'I do not know how to "betake". I can go and look.')
+    only = replace(like, heeded={"navigating_to_location": {"goal": EVERYTHING}})
+    assert said("Betake yourself to the kitchen.", only, parser).outcome.sentence.endswith("I can go.")
+
+
 def test_without_an_encoder_only_the_class_counts_and_the_trace_says_why(
     known: Any, parser: Any, tmp_path: Any
 ) -> None:

@@ -21,6 +21,8 @@ class TextSource(Enum):
     REPLAYED = "replayed-"
 
 
+#: Ids of commands of agents begin with this.
+AGENT = "agent-"
 #: What a fleet puts before the id of a command that it sends on to a robot.
 _FLEET = "fleet-"
 
@@ -49,8 +51,16 @@ def sent_on_id(command_id: str, number: int) -> str:
 
 def is_spoken(command_id: str) -> bool:
     """Whether a command came on the topic `text`, of a robot or of its fleet; others come from pages and programs."""
-    said = command_id[len(_FLEET) :] if command_id.startswith(_FLEET) else command_id
-    return said.startswith(TextSource.TEXT.value)
+    return _without_fleet(command_id).startswith(TextSource.TEXT.value)
+
+
+def is_of_agent(command_id: str) -> bool:
+    """Whether an agent gave a command, to a robot or to its fleet."""
+    return _without_fleet(command_id).startswith(AGENT)
+
+
+def _without_fleet(command_id: str) -> str:
+    return command_id[len(_FLEET) :] if command_id.startswith(_FLEET) else command_id
 
 
 def came_by_action(command_id: str) -> bool:

@@ -3,7 +3,8 @@
 import contextlib
 import os
 import sqlite3
-from typing import Callable, Iterator, Tuple
+from pathlib import Path
+from typing import Callable, Iterator, Sequence, Tuple
 
 from roboframenet_ros.unreadable_file import set_aside
 
@@ -21,6 +22,7 @@ class SqliteFile:
     Attributes:
         path: of the file
         problems: what was wrong with it when it was opened; it was set aside
+        aside: where it is kept then; empty when nothing was wrong
         connection: to the file, in a state where each statement is a change of its own
     """
 
@@ -39,6 +41,7 @@ class SqliteFile:
             StoreError: no file can be made there
         """
         self.problems: Tuple[str, ...] = ()
+        self.aside = ""
         self.path = path
         self._schema = schema
         self._create = create
@@ -52,8 +55,8 @@ class SqliteFile:
                 # A locked or unreachable file is not corrupt.
                 raise
             except sqlite3.DatabaseError as error:
-                aside = set_aside(path, journals=("-wal", "-shm"))
-                self.problems += (f"{path} cannot be read ({error}): it is kept as {aside}, and a new one begins",)
+                self.aside = set_aside(path, journals=("-wal", "-shm"))
+                self.problems += (f"{path} cannot be read ({error}): it is kept as {self.aside}, and a new one begins",)
                 self._open()
         except (OSError, sqlite3.Error) as error:
             raise StoreError(f"{path} cannot be opened: {error}") from error
@@ -78,6 +81,22 @@ class SqliteFile:
         except sqlite3.Error:
             self.connection.close()
             raise
+
+    def left_over(self, query: str) -> Iterator[Sequence[object]]:
+        """Yield the rows of the file that was set aside, as far as they can be read; none of another format.
+
+        Args:
+            query: which rows; in the order of the table, so that as many as possible are found
+        """
+        if not self.aside:
+            return
+        left = sqlite3.connect(f"{Path(self.aside).absolute().as_uri()}?mode=ro", uri=True)
+        with contextlib.closing(left), contextlib.suppress(sqlite3.Error):
+            # Otherwise nothing is read of a file that is shorter than it says.
+            left.execute("PRAGMA writable_schema=ON")
+            (schema,) = left.execute("PRAGMA user_version").fetchone()
+            if schema == self._schema:
+                yield from left.execute(query)
 
     @contextlib.contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:

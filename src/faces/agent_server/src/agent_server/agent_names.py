@@ -4,10 +4,8 @@ import itertools
 import re
 import uuid
 
-from roboframenet_ros.command_ids import TextSource, is_spoken
+from roboframenet_ros.command_ids import AGENT, TextSource, is_spoken
 
-#: Ids of commands of agents begin with this.
-PREFIX = "agent-"
 _LONGEST_NAME = 32
 _ID = re.compile(r"agent-(?P<name>[\w.]{1,32})-[0-9a-f]{8}-\d+(-then)?", re.ASCII)
 
@@ -35,7 +33,7 @@ class CommandIds:
         Args:
             name: a clean name
         """
-        self.prefix = f"{PREFIX}{name}-{uuid.uuid4().hex[:8]}-"
+        self.prefix = f"{AGENT}{name}-{uuid.uuid4().hex[:8]}-"
         self._numbers = itertools.count(1)
 
     def next_id(self) -> str:

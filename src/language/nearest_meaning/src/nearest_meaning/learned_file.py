@@ -1,5 +1,6 @@
 """Keeps what persons taught in a SQLite file: what was acknowledged survives a killed process and a power cut."""
 
+import contextlib
 import sqlite3
 from typing import Callable, FrozenSet, List, Sequence, Tuple, TypeVar
 
@@ -52,6 +53,17 @@ class LearnedFile:
         self._file = SqliteFile(path, schema=SCHEMA, create=_create, is_every_change_synced=True)
         self.path = path
         self.problems = self._file.problems
+        self._keep_left_over()
+
+    def _keep_left_over(self) -> None:
+        """Take over what can be read of a file that was set aside."""
+        with self._file.change() as connection:
+            for table, columns, read in (("units", _UNIT, _unit_of), ("declined", _DECLINED, _declined_of)):
+                places = ", ".join("?" * len(columns.split(",")))
+                for row in self._file.left_over(f"SELECT {columns} FROM {table}"):
+                    with contextlib.suppress(ValueError):
+                        read(row)
+                        connection.execute(f"INSERT OR REPLACE INTO {table} ({columns}) VALUES ({places})", row)
 
     def version(self) -> int:
         """Return a number that changes whenever another process has changed the file.

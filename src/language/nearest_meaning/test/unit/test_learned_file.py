@@ -1,6 +1,8 @@
 """The file of what persons taught: it survives damage and other versions, and other processes may change it."""
 
 import sqlite3
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -65,6 +67,36 @@ def test_a_file_that_cannot_be_read_is_set_aside_and_told(tmp_path: Path, damage
     assert any("learned.sqlite" in one.name and one != path for one in tmp_path.iterdir())
     again.add(unit("b"))
     assert again.units() == (unit("b"),)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.7, 0.9])
+def test_what_can_be_read_of_a_file_that_was_cut_is_not_lost(tmp_path: Path, share: float) -> None:
+    path = tmp_path / "learned.sqlite"
+    file = LearnedFile(str(path))
+    file.decline(Declined("zoom", "moving", "", 1.0, "Zoom."))
+    for number in range(300):
+        file.add(unit(f"unit{number:03d}"))
+    file.close()
+    path.write_bytes(path.read_bytes()[: int(share * path.stat().st_size)])
+    again = LearnedFile(str(path))
+    names = [one.name for one in again.units()]
+    assert len(names) > 100 * share and set(names) <= {f"unit{number:03d}" for number in range(300)}
+    assert str(path) in again.problems[0] and again.declined() == {("zoom", "moving")}
+
+
+def test_two_processes_write_and_nothing_is_lost(tmp_path: Path) -> None:
+    path = str(tmp_path / "learned.sqlite")
+    code = (
+        "import sys\n"
+        "from nearest_meaning.learned import LearnedUnit\n"
+        "from nearest_meaning.learned_file import LearnedFile\n"
+        "file = LearnedFile(sys.argv[1])\n"
+        "for n in range(30):\n    file.add(LearnedUnit(sys.argv[2] + str(n), 'a', 'go', 'going', 'x', '', 1.0, 'A.'))\n"
+    )
+    writers = [subprocess.Popen([sys.executable, "-c", code, path, name]) for name in ("first", "second")]
+    assert [writer.wait(60) for writer in writers] == [0, 0]
+    file = LearnedFile(path)
+    assert len(file.units()) == 60 and file.problems == ()
 
 
 def test_an_entry_that_cannot_be_read_is_left_out_and_the_others_stay(tmp_path: Path) -> None:

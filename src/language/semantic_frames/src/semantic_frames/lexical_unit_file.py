@@ -278,15 +278,15 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     patterns = unit.questions + unit.remarks + unit.conditions
     if patterns:
         filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))
-    if (unit.questions or unit.remarks or unit.asks) and not frame.is_question:
+    if (unit.questions or unit.asks) and not frame.is_question:
         problems.append(
             Problem(
                 "NOT_A_QUESTION",
                 unit.path,
                 unit.line,
-                "question" if unit.questions else "remark" if unit.remarks else "asks",
+                "question" if unit.questions else "asks",
                 f"the frame {frame.name}, which acts",
-                "a frame with 'is_question: True': a question or a remark never acts",
+                "a frame with 'is_question: True': a question never acts",
             )
         )
     is_condition = bool(unit.conditions or unit.holds or unit.events)

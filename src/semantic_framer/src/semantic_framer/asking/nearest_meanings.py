@@ -9,7 +9,7 @@ verdicts on commands hold for candidates, too.
 from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
 
-from roboframenet_ros.spoken_text import join_with_or
+from roboframenet_ros.spoken_text import join_with_and, join_with_or
 from semantic_framer.asking.settling import Now
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.kinds.utterance_kind import kinds_of_clauses
@@ -30,6 +30,10 @@ from word_classes import word_class
 RULE = "nearest_meaning"
 #: Replies in place of which it is asked.
 _NOT_UNDERSTOOD = frozenset(["LEFT_OVER_WORDS", "UNKNOWN_VERB", "NO_READING", "VALUE_NOT_ALLOWED"])
+#: Replies to which it is added what can be done that is near.
+_UNKNOWN_DEEDS = frozenset(["UNKNOWN_VERB", "NO_READING"])
+#: What is less like a sentence is not near.
+_NEAR = 0.45
 #: Words that turn a command round, or limit it: nobody is asked to do without them.
 _LIMITING = (
     word_class("negating_words")
@@ -123,7 +127,7 @@ def asked_about(tree: DependencyTree, heard: Heard, context: Context, now: Now, 
     if problem:
         now.write(RULE, tree.text, f"Sentences are not compared: {problem}")
     if not found:
-        return heard
+        return _with_what_is_near(tree, heard, now.known)
     offered = found[: 1 + (len(found) > 1 and found[0].merit - found[1].merit < _CLOSE)]
     choices = tuple(one.choice for one in offered)
     lessons = tuple(one.lesson for one in offered)
@@ -133,6 +137,24 @@ def asked_about(tree: DependencyTree, heard: Heard, context: Context, now: Now, 
     question = f'By "{said}", do you mean {join_with_or(quoted)}?'
     now.write(RULE, said, f"asked. {offered[0].reason}")
     return replace(heard, outcome=Question("CONFIRM", question), context=replace(context, pending=pending))
+
+
+def _with_what_is_near(tree: DependencyTree, heard: Heard, known: FramedLexicon) -> Heard:
+    """Return a refusal that also says what can be done that is near: "I can go, look and bring."."""
+    outcome, deeds = heard.outcome, known.lexicon.deeds(known.frames)
+    if not isinstance(outcome, Refusal) or outcome.code not in _UNKNOWN_DEEDS or known.likeness is None:
+        return heard
+    alike = zip(known.likeness.of(tree.text.strip(" .!?"), deeds.texts), deeds.examples)
+    usual = {unit.frame_name: verb for unit, verb in reversed(deeds.verbs)}
+    near: List[str] = []
+    for merit, example in sorted(alike, key=lambda one: -one[0]):
+        if merit < _NEAR or len(near) == MOST_CANDIDATES:
+            break
+        name = example.unit.frame_name
+        if name in usual and usual[name] not in near and (not known.heeded or name in known.heeded):
+            near.append(usual[name])
+    told = f"{outcome.sentence} I can {join_with_and(near)}." if near else outcome.sentence
+    return replace(heard, outcome=replace(outcome, sentence=told))
 
 
 def _may_ask(tree: DependencyTree, heard: Heard, context: Context, now: Now) -> bool:

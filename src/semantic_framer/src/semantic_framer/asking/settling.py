@@ -57,12 +57,14 @@ class Now:
         policy: how careful the framer is
         time_s: time on the caller's clock, seconds; it decides when questions expire
         trace: receives a line for each change; None for no trace
+        may_teach: whether who speaks may teach the robot words
     """
 
     known: FramedLexicon
     policy: Policy
     time_s: float
     trace: Optional[Trace] = None
+    may_teach: bool = True
 
     def write(self, rule: str, about: str, after: str) -> None:
         """Write a line of the trace."""

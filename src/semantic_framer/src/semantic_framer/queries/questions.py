@@ -2,6 +2,7 @@
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
+from semantic_framer.filling.default_values import value_of_verb
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.question_extent import ends_inside, words_of_question
@@ -56,23 +57,35 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     "Well done." is talk, "never use the left arm" a prohibition, "next time use the other arm" a command without a verb
     that anybody carries out; a unit that lists these words knows better. A frame that no server answers is left out.
     """
-    frames = known.frames
-    # "Well" and "now" may also be words around a sentence.
-    whole, inner = [word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence)
     found = [
         read
-        for words in ([whole, inner] if len(inner) < len(whole) else [whole])
-        for unit in known.lexicon.remark_units([spelling(word) for word in words])
-        if unit.frame_name in frames and frames[unit.frame_name].is_question
-        if not known.heeded or unit.frame_name in known.heeded
-        for pattern in unit.remarks
-        for read in [_read(sentence, unit, frames[unit.frame_name], pattern, words)]
-        if read is not None
+        for read in _remarks(sentence, known)
+        if known.frames[read.unit.frame_name].is_question
+        if not known.heeded or read.unit.frame_name in known.heeded
     ]
     best = tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading)))[:1])
     if best and trace is not None:
         trace.add("remark", str(best[0]), after=f'answered, by "{best[0].verb}"')
     return best
+
+
+def idiom_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, ...]:
+    """Return the readings of a sentence that is as a whole another way to command a deed, the last one added first."""
+    return tuple(read for read in reversed(_remarks(sentence, known)) if known.frames[read.unit.frame_name].acts)
+
+
+def _remarks(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
+    # "Well" and "now" may also be words around a sentence.
+    whole, inner = [word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence)
+    return [
+        read
+        for words in ([whole, inner] if len(inner) < len(whole) else [whole])
+        for unit in known.lexicon.remark_units([spelling(word) for word in words])
+        if unit.frame_name in known.frames
+        for pattern in unit.remarks
+        for read in [_read(sentence, unit, known.frames[unit.frame_name], pattern, words)]
+        if read is not None
+    ]
 
 
 def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
@@ -145,7 +158,10 @@ def _read(
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
         arguments.append(argument_of(sentence, name, positions))
-    arguments += [TypedArgument(name, text, Source.INFERRED) for name, text in unit.values.items()]
+    arguments += [
+        value_of_verb(name, text) if frame.acts else TypedArgument(name, text, Source.INFERRED)
+        for name, text in unit.values.items()
+    ]
     filled = {argument.name for argument in arguments}
     own = tuple(word.index for word in words if word.index not in inside)
     return Reading(

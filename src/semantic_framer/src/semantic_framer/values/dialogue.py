@@ -26,17 +26,22 @@ class Lesson:
 
     Attributes:
         said: words of the verb that was not known, "make your way"
-        verb: the known verb, with its particles; empty when ``said`` is a whole sentence, and only a no is kept
+        verb: the known verb, with its particles, or the sentence that was taught as the meaning; empty when ``said`` is
+            a whole sentence, and only a no is kept
         frame_name: the frame that it evokes
         sentence: in which the words were said
+        text: of the lexical unit file; empty for that of the known verb
         is_agreed: whether a person said that they mean it
+        is_forgotten: whether a person wants the words to mean nothing again
     """
 
     said: str
     verb: str
     frame_name: str
     sentence: str
+    text: str = ""
     is_agreed: bool = True
+    is_forgotten: bool = False
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,8 @@ class Pending:
         choices: the only allowed answers, as they were offered; empty if any answer is allowed
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
-        lessons: what a yes to each of ``readings`` teaches; None for nothing
+        lessons: what a yes to each of ``readings`` teaches, None for nothing; without ``readings``, what a person wants
+            to teach in words
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
         plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
@@ -82,9 +88,14 @@ class Pending:
         """Return what the choice of one of ``readings`` teaches."""
         return tuple(one for one, reading in zip(self.lessons, self.readings) if one and reading is choice)
 
+    @property
+    def taught(self) -> Tuple[Lesson, ...]:
+        """What a yes teaches of each of ``lessons``."""
+        return tuple(one for one in self.lessons if one is not None)
+
     def lessons_of_no(self) -> Tuple[Lesson, ...]:
         """Return what a no teaches."""
-        return tuple(replace(one, is_agreed=False) for one in self.lessons if one is not None)
+        return tuple(replace(one, is_agreed=False) for one in self.taught)
 
     def may_be_answered_by(self, speaker: str) -> bool:
         """Whether the answer of a person counts; that of somebody who is not known does."""

@@ -108,11 +108,21 @@ class Question:
     sentence: str
 
 
-Outcome = Union[Understood, Refusal, Question]
+@dataclass(frozen=True)
+class Noted:
+    """What was said is kept, and nothing else is done; ``code`` as in ``Reply.code``."""
+
+    code: str
+    sentence: str
 
 
-def reply_outcome(of: Union[Refusal, Question]) -> str:
+Outcome = Union[Understood, Refusal, Question, Noted]
+
+
+def reply_outcome(of: Union[Refusal, Question, Noted]) -> str:
     """Return the name of the constant of ``Reply`` for a command that ends in the framer."""
+    if isinstance(of, Noted):
+        return "DONE"
     return "REFUSED" if isinstance(of, Refusal) else "NEEDS_INFORMATION"
 
 

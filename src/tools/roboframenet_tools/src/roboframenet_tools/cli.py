@@ -33,6 +33,12 @@ COMMANDS = (
     ("bind", "roboframenet_tools.ros_bind", "write a binding for a live action server, service or topic"),
     ("record", "roboframenet_tools.ros_record", "record what is said to the robot, and what comes of it"),
     ("replay", "roboframenet_tools.replay", "read recorded sentences with this version, and show the differences"),
+    ("unknown", "roboframenet_tools.unknown", "list what was refused and asked, by the lexical unit that is nearest"),
+    (
+        "test",
+        "roboframenet_tools.sentence_test",
+        "read the sentences of a file, and show those that are read in another way",
+    ),
     ("voice", "voice_recognition.voice_command", "show what is heard in a sound file, and why"),
     ("doctor", "roboframenet_tools.doctor", "find out why the system does not work"),
     (

@@ -6,22 +6,18 @@ import sys
 from typing import List
 
 from checked_files import FileRefused
-from checked_files.source_files import read_text
 from frame_registrar.search import Candidate
 from nearest_meaning.likeness import Likeness
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
 from offline_pipeline.named_rules import unknown_rules
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
-from roboframenet_tools.folders import folders_of
+from roboframenet_tools.offline import add_knowledge_arguments, offline_pipeline, told_problems
 from semantic_framer.values.dialogue import Context
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.joint.inference import described
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.engine.trace import TraceLine
 from utterance_passes.trees.tree import DependencyTree
-from world_model.world import snapshot
-from world_model.world_file import load_world_file
 
 EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
@@ -50,33 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn explain``."""
     parser.epilog = EXAMPLES
     parser.add_argument("text", nargs="*", help="the sentence")
-    parser.add_argument(
-        "--domains",
-        action="append",
-        metavar="FOLDER[,FOLDER]",
-        help="folders of frames and units (default: those shipped)",
-    )
-    parser.add_argument(
-        "--with",
-        dest="others",
-        action="append",
-        default=[],
-        metavar="FOLDER[,FOLDER]",
-        help="folders of frames and units beside those of --domains, or beside those shipped",
-    )
-    parser.add_argument(
-        "--names",
-        action="append",
-        default=[],
-        metavar="FILE",
-        help="names that the robot knows, as the launch argument 'names_file' sets them",
-    )
-    parser.add_argument(
-        "--world",
-        metavar="FILE",
-        default="",
-        help="what the robot knows of things, persons and places, as the launch argument 'world_file' sets it",
-    )
+    add_knowledge_arguments(parser)
     parser.add_argument(
         "--live",
         action="store_true",
@@ -128,12 +98,10 @@ def run(arguments: argparse.Namespace) -> int:
         if is_following:
             return _follow()
         lines = _lines(arguments.batch) if arguments.batch else [" ".join(arguments.text)]
-        pipeline = _pipeline(arguments)
+        pipeline = told_problems(_pipeline(arguments))
     except (OSError, ModelError, LookupError, FileRefused) as error:
         print(f"rfn explain: {error}", file=sys.stderr)
         return 2
-    for problem in pipeline.knowledge.problems:
-        print(problem, file=sys.stderr)
     context = Context()
     for said in arguments.after:
         context = pipeline.understand_safely(said, context).context
@@ -180,22 +148,8 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
             world=world,
             likeness=Likeness(),
         )
-    knowledge = load_knowledge(
-        [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
-    )
-    knowledge = with_names(knowledge, arguments.names)
-    pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
-    objects = load_world_file(read_text(arguments.world), arguments.world) if arguments.world else ()
-    world = snapshot(arguments.world, {one.id: one for one in objects})
-    return Pipeline(
-        knowledge,
-        parameters=parameters,
-        without=without,
-        is_traced=not arguments.json,
-        world=world,
-        likeness=Likeness(),
-    )
+    return offline_pipeline(arguments, parameters=parameters, without=without, is_traced=not arguments.json)
 
 
 def _follow() -> int:
