@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """``rfn doctor --robot`` beside a robot that has what it needs, and beside one on which much is wrong."""
 
+import os
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 from typing import Dict, List, Tuple
@@ -10,6 +12,8 @@ from typing import Dict, List, Tuple
 import rospy
 import rostest
 from std_srvs.srv import Trigger
+
+from location_memorizer.locations import read_locations
 
 #: Subject, what is found, and how to mend it, for each thing that is wrong.
 WRONG = (
@@ -38,6 +42,10 @@ def doctor() -> Tuple[List[str], int]:
     )
     sys.stderr.write(ended.stdout + ended.stderr)
     return ended.stdout.replace("\n" + " " * 24, " ").splitlines(), ended.returncode
+
+
+def place(*words: str) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(["rfn", "place", *words], capture_output=True, text=True, timeout=120, check=False)
 
 
 def wait_for_nodes(*topics: str) -> None:
@@ -74,6 +82,20 @@ class Sound(unittest.TestCase):
             set(of_robot),
         )
         self.assertEqual([], [one for one in of_robot.values() if one.startswith("problem")])
+
+    def test_places_are_remembered_listed_and_written(self) -> None:
+        wait_for_nodes("/amcl_pose", "/locations")
+        self.assertEqual("This is the coffee corner.\n", place("coffee", "corner").stdout)
+        self.assertEqual(["coffee corner", "kitchen"], [line[:20].strip() for line in place().stdout.splitlines()])
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "places.yaml")
+            self.assertEqual(f"2 places in {path}\n", place("--out", path).stdout)
+            places = read_locations(path)
+        self.assertEqual({"coffee corner", "kitchen"}, set(places))
+        kitchen = places["kitchen"]
+        for found, expected in ((kitchen.x_m, 3.0), (kitchen.y_m, 1.5), (kitchen.heading_rad, 1.57)):
+            self.assertAlmostEqual(expected, found, places=6)
+        self.assertEqual(2, place("--out", "/proc/no/places.yaml").returncode)
 
 
 if __name__ == "__main__":
