@@ -3,7 +3,9 @@
 # Only the page, with a file that holds a secret of at least 16 characters (http://127.0.0.1:8080/?token=SECRET):
 #   docker run --rm -it -p 127.0.0.1:8080:8080 -v "$PWD/token:/token:ro" roboframenet \
 #     scripts/run console_address:=0.0.0.0 console_token_file:=/token
-FROM debian:12
+# The other release: docker build --build-arg RELEASE=13 ...
+ARG RELEASE=12
+FROM debian:$RELEASE
 ARG PIP_INDEX_URL PIP_EXTRA_INDEX_URL
 RUN apt-get update && apt-get install -y --no-install-recommends make && rm -rf /var/lib/apt/lists/*
 WORKDIR /roboframenet

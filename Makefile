@@ -35,7 +35,7 @@ build: setup ## build the workspace into devel/
 demo: build ## start simulated robots, say the paper's sentences, show what each robot did
 	@scripts/demo
 
-run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot, VOICE=1 to talk to it)
+run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2, turtlebot3 or turtlesim for another robot, VOICE=1 to talk to it)
 	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
 test: build stanza agents browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)

@@ -2,8 +2,9 @@
 
 import os
 import re
+import subprocess
 from pathlib import Path
-from typing import Dict, Set
+from typing import Dict, List, Set
 
 import pytest
 import yaml
@@ -19,7 +20,7 @@ OTHER_NAMES: Dict[str, str] = {"message_generation": "ros-message-generation"}
 
 def debian_packages() -> Set[str]:
     texts = [path.read_text(encoding="utf-8") for path in (REPOSITORY / "scripts").glob("apt-packages*.txt")]
-    return set(re.sub(r"#.*", "", "\n".join(texts)).split())
+    return {word for word in re.sub(r"#.*", "", "\n".join(texts)).split() if not word.startswith("@")}
 
 
 def own_keys() -> Set[str]:
@@ -39,6 +40,26 @@ def test_every_dependency_is_installed_by_setup(manifest: Path) -> None:
         if not {key, name, f"python3-{name}", f"ros-{name}", f"lib{name}-dev", OTHER_NAMES.get(key, "")} & installed
     }
     assert not missing
+
+
+def wanted_packages(tmp_path: Path, release: str) -> List[str]:
+    """Return what scripts/setup installs on a release: its function, with another /etc/os-release."""
+    (tmp_path / "os-release").write_text(f"VERSION_CODENAME={release}\n", encoding="utf-8")
+    setup = (REPOSITORY / "scripts" / "setup").read_text(encoding="utf-8")
+    function = re.search(r"^wanted_packages\(\) \{.*?^\}", setup, re.MULTILINE | re.DOTALL)
+    assert function
+    code = function.group().replace("/etc/os-release", str(tmp_path / "os-release"))
+    command = f"{code}\nwanted_packages {REPOSITORY}/scripts/apt-packages.txt"
+    ended = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60, check=True)
+    return ended.stdout.split()
+
+
+def test_a_release_gets_the_packages_that_it_has(tmp_path: Path) -> None:
+    bookworm, trixie = wanted_packages(tmp_path, "bookworm"), wanted_packages(tmp_path, "trixie")
+    assert set(bookworm) - set(trixie) == {"python3-pocketsphinx"} and set(trixie) < set(bookworm)
+    assert {"python3-rospy", "catkin", "catkin-lint"} <= set(trixie)
+    # What apt does not have comes from pip.
+    assert "pocketsphinx==" in (REPOSITORY / "requirements.txt").read_text(encoding="utf-8")
 
 
 def test_keys_of_our_own_are_used() -> None:

@@ -46,6 +46,7 @@ COMMANDS = (
         "experience.experience_command",
         "list, explain, reset, export or import what was tried",
     ),
+    ("place", "roboframenet_tools.ros_place", "remember where the robot stands, list the places, or write them"),
     ("forget", "roboframenet_tools.ros_forget", "let the robot forget what it has learned of things and places"),
     ("export-learned", "roboframenet_tools.learned", "write what persons taught the robot as a lexical unit file"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),

@@ -16,6 +16,8 @@ from stanford_parser_ros.words.words import FOLDER
 EXAMPLES = """examples:
   rfn doctor
   rfn doctor --no-master    only checks that need no running graph
+  rfn doctor --robot        also what a robot needs before the first sentence
+  rfn doctor --robot --moves-nothing /recognize_objects
 
 exit status: 0 no problem, 1 a problem
 """
@@ -25,6 +27,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn doctor``."""
     parser.epilog = EXAMPLES
     parser.add_argument("--no-master", action="store_true", help="do not look for a running graph")
+    parser.add_argument(
+        "--robot", action="store_true", help="check network, base, odometry, localisation, tf, stop and bindings, too"
+    )
+    parser.add_argument(
+        "--moves-nothing",
+        action="append",
+        default=[],
+        metavar="SERVER",
+        help="with --robot: an action server that a stop need not cancel; may be given several times",
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -34,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
         try:
             from roboframenet_tools.ros_doctor import graph_findings
 
-            findings += graph_findings()
+            findings += graph_findings(robot=arguments.robot, moves_nothing=arguments.moves_nothing)
         except ImportError as error:
             findings.append(Finding("graph", str(error), "source devel/setup.sh (or setup.sh of the install space)"))
     for finding in findings:

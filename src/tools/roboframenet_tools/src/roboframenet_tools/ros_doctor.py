@@ -1,7 +1,7 @@
 """Checks of the running graph for ``rfn doctor``."""
 
 import time
-from typing import List
+from typing import Iterable, List
 
 import rosgraph
 import rosnode
@@ -9,10 +9,12 @@ import rospy
 from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue, FrameServers
 
 from offline_pipeline.knowledge import load_texts
-from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
 from roboframenet_ros.ros_waiting import wait_for_message
 from roboframenet_tools.finding import Finding, clock_finding
 from roboframenet_tools.registrations import Registered, registration_findings
+from roboframenet_tools.robot_checks import robot_findings
+from roboframenet_tools.ros_robot import look_at_robot
 
 #: How long to wait for the latched catalogue, and then for latched problems of files; seconds.
 _TIMEOUT_S = 5.0
@@ -33,8 +35,13 @@ TOGETHER = "stages"
 ALONE = ("stanford_parser_ros", "stop_server")
 
 
-def graph_findings() -> List[Finding]:
-    """Check the master, the nodes of the pipeline, and the time."""
+def graph_findings(*, robot: bool = False, moves_nothing: Iterable[str] = ()) -> List[Finding]:
+    """Check the master, the nodes of the pipeline, and the time.
+
+    Args:
+        robot: whether to check what a robot needs, too
+        moves_nothing: action servers that a stop need not cancel
+    """
     if not rosgraph.is_master_online():
         return [
             Finding(
@@ -61,7 +68,17 @@ def graph_findings() -> List[Finding]:
                     "" if is_alive else "restart it; 'rosnode cleanup' forgets dead nodes",
                 )
             )
-    return findings + [_time()] + _knowledge()
+    findings += [_time()] + _knowledge()
+    return findings + _robot(moves_nothing) if robot else findings
+
+
+def _robot(moves_nothing: Iterable[str]) -> List[Finding]:
+    _join()
+    try:
+        graph = look_at_robot()
+    except NO_ANSWER as error:
+        return [Finding("robot", f"the master does not answer: {error}", "see whether roscore runs, and the network")]
+    return robot_findings(graph, moves_nothing=[rospy.resolve_name(name) for name in moves_nothing])
 
 
 def _knowledge() -> List[Finding]:
