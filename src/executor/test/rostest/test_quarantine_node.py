@@ -26,7 +26,7 @@ class QuarantineTest(ExecutorCase):
             self.send([[frame("succeed", "freezing")]]),
             Reply.FAILED,
             "ALL_CANDIDATES_FAILED",
-            "freezing is out of use until it ends its last goal: it was silent",
+            "the program for it is out of use until it ends its last goal: it was silent",
         )
         self.assertNotIn("freezing begins succeed", self.log)
         os.kill(process_of("/frozen"), signal.SIGKILL)
@@ -43,7 +43,7 @@ class QuarantineTest(ExecutorCase):
 
     def test_server_that_dies_and_is_back_at_once_owes_nothing(self):
         self.assert_reply(
-            self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "four has died"
+            self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "has died"
         )
         wait_until(lambda: self.is_used_again("four"), message="four is still out of use")
 
