@@ -1,6 +1,5 @@
 """Sentences that can be done here and now: from frames that have a server, and from what the world has."""
 
-import itertools
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Sequence, Tuple
@@ -72,12 +71,17 @@ def suggest(
     kinds = _kinds(world)
     holders = {one.holder for one in world}
     has = {"": True, "hand": "robot" not in holders, "taker": holders == {""}}
-    columns = [_sentences(one.say, kinds) for one in templates if one.frame in frames and has[one.needs]]
-    rows = itertools.zip_longest(*columns)
-    everything = list(dict.fromkeys(text for row in rows for text in row if text))
-    old = {_plain(text) for text in said}
-    fresh = [text for text in everything if _plain(text) not in old]
-    return tuple((fresh or everything)[:MOST_SUGGESTIONS])
+    usable = [one for one in templates if one.frame in frames and has[one.needs]]
+    old = [_plain(text) for text in said]
+    ranked: List[Tuple[int, str]] = []
+    for template in usable:
+        # Who has said a kind often gets another kind first.
+        begin = _plain(template.say.partition(_SLOT)[0])
+        often = sum(text.startswith(begin) for text in old)
+        fresh = [text for text in _sentences(template.say, kinds) if _plain(text) not in old]
+        ranked += [(often + place, text) for place, text in enumerate(fresh)]
+    everything = ranked or [(0, text) for one in usable for text in _sentences(one.say, kinds)]
+    return tuple(dict.fromkeys(text for _, text in sorted(everything, key=lambda pair: pair[0])))[:MOST_SUGGESTIONS]
 
 
 def _plain(text: str) -> str:

@@ -48,6 +48,11 @@ def test_what_was_said_comes_again_when_all_was_said():
     assert len(suggest((GO,), FRAMES, HOME, ("go to the hall", "Go to the kitchen."))) == 2
 
 
+def test_kinds_take_turns():
+    said = ("Go to the hall.", "Switch on the lamp.")
+    assert suggest((GO, SWITCH, PING), FRAMES, HOME, said) == ("Ping.", "Go to the kitchen.", "Switch on the radio.")
+
+
 def test_full_hands_take_nothing_more():
     held = (*HOME, Present("blue mug", "thing", holder="robot"))
     bring, put_down = (
