@@ -186,7 +186,13 @@ export class Ground {
       wanted.push({ text: `holds ${held.join(", ")}`, kind: "robot", rank: 0, ...pixels(this.map.latLngToContainerPoint(at(this.pose))), isMiddle: false, wide_px: 0 });
     }
     const size = this.map.getSize();
-    const boxes = labelBoxes(wanted, { width: size.x, height: size.y, zoom_px: this.map.options.crs.scale(this.map.getZoom()) });
+    const taken = [{ left: 0, top: 0, width: 50, height: 78 }];
+    if (this.pose) {
+      const { x, y } = this.map.latLngToContainerPoint(at(this.pose));
+      const half = Math.max(6, ROBOT_M * this.map.options.crs.scale(this.map.getZoom()));
+      taken.push({ left: x - half, top: y - half, width: 2 * half, height: 2 * half });
+    }
+    const boxes = labelBoxes(wanted, { taken, width: size.x, height: size.y, zoom_px: this.map.options.crs.scale(this.map.getZoom()) });
     this.labels.replaceChildren(...boxes.map((box) => {
       const label = document.createElement("span");
       label.className = `name of-${box.kind}`;

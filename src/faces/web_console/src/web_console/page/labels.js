@@ -13,10 +13,11 @@ function widthOf(text, kind) {
   return Math.ceil(pen.measureText(text).width * 1.08) + 8;
 }
 
-export function labelBoxes(wanted, { width, height, zoom_px: zoom }) {
+// `taken` are boxes that stay free: the robot, and the buttons of the map.
+export function labelBoxes(wanted, { width, height, zoom_px: zoom, taken = [] }) {
   const boxes = [];
   const isFree = (box) => box.left >= 0 && box.top >= 0 && box.left + box.width <= width && box.top + box.height <= height
-    && boxes.every((other) => box.left >= other.left + other.width + GAP_PX || other.left >= box.left + box.width + GAP_PX
+    && [...taken, ...boxes].every((other) => box.left >= other.left + other.width + GAP_PX || other.left >= box.left + box.width + GAP_PX
       || box.top >= other.top + other.height + GAP_PX || other.top >= box.top + box.height + GAP_PX);
   const shown = wanted.filter((one) => one.rank <= 4 || zoom >= NEAR_PX).sort((one, other) => one.rank - other.rank);
   for (const one of shown) {
