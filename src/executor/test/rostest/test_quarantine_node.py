@@ -37,7 +37,7 @@ class QuarantineTest(ExecutorCase):
         self.wait_for_log("one begins ignore_cancel")
         new = self.send([[frame("succeed", "one")], [frame("succeed", "two")]])
         self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND", "one did not end on cancel")
-        self.assert_reply(new, Reply.DONE, "DONE", "one is out of use until it ends its last goal")
+        self.assert_reply(new, Reply.DONE, "DONE", "the program for it is out of use until it ends its last goal")
         self.wait_for_log("one ends ignore_cancel")
         wait_until(lambda: self.is_used_again("one"), message="one is still out of use")
 
