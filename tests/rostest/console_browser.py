@@ -2,6 +2,7 @@
 
 import json
 import time
+from pathlib import Path
 from typing import Any, Dict, List
 
 from selenium import webdriver
@@ -19,6 +20,50 @@ DRIVER = "/usr/bin/chromedriver"
 #: Sizes of a window and of a telephone, pixels.
 WINDOW = (1440, 900)
 TELEPHONE = (390, 844)
+#: A window of an old projector.
+PROJECTOR = (1024, 768)
+#: Put there by `scripts/setup browser`.
+AXE = Path(__file__).resolve().parents[2] / ".venv/share/roboframenet/axe/axe_core_python/axe.min.js"
+#: Labels of the map that overlap.
+OVERLAPS = """(() => {
+  const labels = [...document.querySelectorAll(".labels .name")];
+  const boxes = labels.map((one) => [one.textContent, one.getBoundingClientRect()]);
+  const found = [];
+  boxes.forEach(([name, box], place) => boxes.slice(place + 1).forEach(([other, its]) => {
+    const isBeside = box.left >= its.right || its.left >= box.right || box.top >= its.bottom || its.top >= box.bottom;
+    if (!isBeside) found.push(`${name} ${other}`);
+  }));
+  return found;
+})()"""
+#: Words that are broken over two lines.
+BROKEN = """(() => {
+  const found = [], range = document.createRange();
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const node = walker.currentNode;
+    if (!node.parentElement.checkVisibility() || node.parentElement.closest("svg, .hidden, script, style")) continue;
+    for (const match of node.textContent.matchAll(/[\\p{L}\\p{N}]+/gu)) {
+      range.setStart(node, match.index);
+      range.setEnd(node, match.index + match[0].length);
+      if (new Set([...range.getClientRects()].map((box) => Math.round(box.top))).size > 1) found.push(match[0]);
+    }
+  }
+  return found;
+})()"""
+#: What is wider than the screen, and does not scroll in its place.
+WIDE = """(() => {
+  const isScrolled = (one) => getComputedStyle(one).overflowX === "auto";
+  const scrolls = (one) => one && one !== document.body && (isScrolled(one) || scrolls(one.parentElement));
+  return [...document.querySelectorAll("body *")].filter((one) => one.checkVisibility() && !one.closest("#ground")
+    && one.getBoundingClientRect().right > innerWidth + 1 && !scrolls(one.parentElement))
+    .map((one) => `${one.tagName} ${one.id} ${one.className} ${one.textContent.slice(0, 40)}`);
+})()"""
+#: Whether the line to type in lies on the screen, and on top.
+LINE = """(() => {
+  const box = document.getElementById("text").getBoundingClientRect();
+  const top = document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2);
+  return box.top >= 0 && box.bottom <= innerHeight && box.left >= 0 && box.right <= innerWidth && top?.id === "text";
+})()"""
 #: What a screen reader has to name.
 NAMED_ROLES = frozenset(("button", "textbox", "searchbox", "image", "img", "log"))
 #: Texts whose contrast with their ground is below 4.5, as WCAG 2 (AA) counts it.
@@ -94,6 +139,16 @@ class ConsoleBrowser:
         assert told
         return [node["role"]["value"] for node in told if not node.get("name", {}).get("value", "").strip()]
 
+    def findings(self) -> List[str]:
+        """Return what axe-core finds; call it where `AXE` is a file."""
+        self.driver.execute_script(AXE.read_text(encoding="utf-8"))
+        found = self.driver.execute_async_script("axe.run(document).then(arguments[arguments.length - 1])")
+        return [f"{one['id']}: {node['html']}" for one in found["violations"] for node in one["nodes"]]
+
+    def seen_text(self) -> str:
+        """Return the text that is to be seen."""
+        return str(self.run("document.body.innerText"))
+
     def press(self, *keys: str) -> None:
         """Press keys wherever the focus is."""
         ActionChains(self.driver).send_keys(*keys).perform()
@@ -146,12 +201,12 @@ class ConsoleBrowser:
         return classes[-1]
 
     def pose(self) -> Dict[str, float]:
-        """Return where the canvas shows the robot: metres, degrees."""
+        """Return where the map shows the robot: metres, degrees."""
         data = self.run("({...document.getElementById('ground').dataset})")
-        return {name: float(value) for name, value in data.items()}
+        return {name: float(data[name]) for name in ("x", "y", "heading") if name in data}
 
     def settles(self, timeout_s: float = 10.0) -> bool:
-        """Wait until the robot stands still on the canvas for half a second; returns whether it does."""
+        """Wait until the robot stands still on the map for half a second; returns whether it does."""
 
         def stands() -> bool:
             before = self.pose()

@@ -13,7 +13,7 @@ from typing import Callable, Dict, List, Tuple
 
 import rospy
 
-from console_browser import TELEPHONE, ConsoleBrowser
+from console_browser import PROJECTOR, TELEPHONE, ConsoleBrowser
 from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
 
@@ -55,9 +55,10 @@ def webp(browser: ConsoleBrowser) -> bytes:
 
 
 def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
-    """The page while a command runs, a question on a telephone, and a command as an animated picture."""
+    """What engineers see while a command runs, a question on a telephone, and a command as an animated picture."""
     wait_for_pipeline(("turning", "saying"))
     wait_until(lambda: browser.texts("#abilities .frame"))
+    browser.click("#engineer", "Engineer's view")
     browser.say("Say hello to Alice in two hours.")
     browser.reply()
     wait_until(lambda: browser.texts("#orders b"))
@@ -87,6 +88,24 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     (folder / "console.webp").write_bytes(animated(frames, size=size, frame_s=FRAME_S))
 
 
+def home(browser: ConsoleBrowser, folder: Path) -> None:
+    """A home in which the robot fetches something, on three screens."""
+    wait_for_pipeline(("bringing", "navigating_to_location"))
+    wait_until(lambda: browser.texts("#suggestions button"))
+    browser.say("Bring me the newspaper, please.")
+    wait_until(lambda: "Going to" in browser.texts("#mind .reply")[0])
+    wait_until(lambda: browser.find("path.way, path.trail"))
+    browser.screenshot(str(folder / "home.png"))
+    browser.resize(*PROJECTOR, is_dark=True)
+    browser.screenshot(str(folder / "home_dark.png"))
+    browser.resize(*TELEPHONE)
+    browser.run("document.querySelector('.tabs [data-part=map]').click()")
+    time.sleep(FRAME_S)  # the map fits itself into its new place
+    browser.screenshot(str(folder / "home_telephone.png"))
+    browser.run("document.querySelector('.tabs [data-part=talk]').click()")
+    browser.reply()
+
+
 def pr2(browser: ConsoleBrowser, folder: Path) -> None:
     """The page in the dark, with a map."""
     wait_for_pipeline(("navigating_to_location",))
@@ -97,7 +116,7 @@ def pr2(browser: ConsoleBrowser, folder: Path) -> None:
     browser.screenshot(str(folder / "console_dark.png"))
 
 
-SCENES: Dict[str, Callable[[ConsoleBrowser, Path], None]] = {"turtlebot": turtlebot, "pr2": pr2}
+SCENES: Dict[str, Callable[[ConsoleBrowser, Path], None]] = {"turtlebot": turtlebot, "pr2": pr2, "home": home}
 
 
 def main(folder: Path, robot: str) -> None:

@@ -19,7 +19,18 @@ from roboframenet_testing.ros_processes import process_of
 try:
     from selenium.webdriver.common.keys import Keys
 
-    from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
+    from console_browser import (
+        AXE,
+        BROKEN,
+        CHROMIUM,
+        LINE,
+        OVERLAPS,
+        PROJECTOR,
+        TELEPHONE,
+        WIDE,
+        WINDOW,
+        ConsoleBrowser,
+    )
 
     HAS_BROWSER = shutil.which(CHROMIUM) is not None
 except ImportError:
@@ -147,7 +158,9 @@ class WebConsoleTest(unittest.TestCase):
         self.page.say(MARKUP)
         self.page.reply()
         self.assertEqual(self.page.texts("#log li:last-child .person"), [MARKUP])
-        self.assertEqual(self.page.find("#log img, #mind img, #mind b b, svg *:not(path):not(text):not(rect)"), [])
+        self.assertEqual(
+            self.page.find("#log img, #mind img, #mind b b, .wide svg *:not(path):not(text):not(rect)"), []
+        )
 
     def test_7_page_fits_on_a_telephone(self) -> None:
         self.page.resize(*TELEPHONE)
@@ -158,6 +171,61 @@ class WebConsoleTest(unittest.TestCase):
         self.assertLessEqual(button["x"] + button["width"], width)
         self.assertTrue(self.page.run("document.elementFromPoint(innerWidth - 40, 30).closest('#stop') !== null"))
         self.page.resize(*WINDOW)
+
+    def test_7_line_stays_and_nothing_breaks_or_overlaps(self) -> None:
+        page = self.page
+        for size in (WINDOW, PROJECTOR, TELEPHONE):
+            page.resize(*size)
+            for part in ("talk", "map", "plan", "more") if size == TELEPHONE else ("talk",):
+                page.run(f"document.querySelector('.tabs [data-part={part}]').click()")
+                wait_until(lambda: page.run(LINE), message=f"the line is not on the screen: {size} {part}")
+                self.assertEqual(page.run(WIDE), [], size)
+                self.assertLessEqual(page.run("document.documentElement.scrollWidth"), size[0], part)
+                self.assertEqual(page.run(BROKEN), [], size)
+                self.assertEqual(page.run(OVERLAPS), [], size)
+            page.run("document.querySelector('.tabs [data-part=talk]').click()")
+            places = "JSON.stringify([...document.querySelectorAll('.card')].map((one) => one.getBoundingClientRect()))"
+            page.run("document.getElementById('note').hidden = true")
+            before = page.run(places)
+            page.run("document.getElementById('note').hidden = false")
+            self.assertEqual(page.run(places), before, "a banner moves nothing")
+            page.run("document.getElementById('note').hidden = true")
+        page.run("document.querySelector('.person').style.width = '2.2rem'")
+        page.run("document.querySelector('.person').style.wordBreak = 'break-all'")
+        self.assertNotEqual(page.run(BROKEN), [], "a broken word is found")
+        page.run("document.querySelector('.person').removeAttribute('style')")
+        page.resize(*WINDOW)
+
+    def test_7_axe_finds_nothing(self) -> None:
+        if not AXE.is_file():
+            self.skipTest("no axe-core: scripts/setup browser")
+        for size in (WINDOW, PROJECTOR, TELEPHONE):
+            for is_dark in (False, True):
+                self.page.resize(*size, is_dark=is_dark)
+                self.assertEqual(self.page.findings(), [], (size, is_dark))
+        self.page.resize(*WINDOW)
+        self.page.run("document.getElementById('send').textContent = ''")
+        self.assertTrue(self.page.findings(), "a button without a name is found")
+        self.page.run("document.getElementById('send').textContent = 'Say'")
+
+    def test_7_servers_and_frames_are_behind_one_switch(self) -> None:
+        page = self.page
+        names = {name for name in page.texts("#abilities .frame, .box b, .trace summary") if "_" in name}
+        names |= {name.strip("/") for name in page.texts("#health li b") if "_" in name}
+        self.assertIn("semantic_framer", names)
+
+        def seen() -> List[str]:
+            text = page.seen_text()
+            return sorted(name for name in names if name in text)
+
+        self.assertEqual(seen(), [])
+        page.click("#engineer", "Engineer's view")
+        self.assertTrue(seen(), "the engineer sees them")
+        page.driver.refresh()
+        wait_until(page.is_connected)
+        wait_until(seen, message="the switch is kept")
+        page.click("#engineer", "Engineer's view")
+        wait_until(lambda: not seen(), message=seen)
 
     def test_7_page_can_be_read_and_used_by_all(self) -> None:
         for is_dark in (False, True):

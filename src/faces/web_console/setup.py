@@ -6,6 +6,6 @@ from catkin_pkg.python_setup import generate_distutils_setup
 
 setup(
     **generate_distutils_setup(
-        packages=["web_console"], package_dir={"": "src"}, package_data={"web_console": ["page/*"]}
+        packages=["web_console"], package_dir={"": "src"}, package_data={"web_console": ["*.yaml", "page/*"]}
     )
 )

@@ -35,7 +35,7 @@ TERMINAL_STATUSES = frozenset(
     }
 )
 
-#: A sentence names this many of the servers that failed, and counts the others.
+#: A sentence gives this many reasons of failures, and counts the others.
 MOST_NAMED = 6
 
 
@@ -359,11 +359,22 @@ def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
 
 
 def describe_failures(goals: Sequence[Goal]) -> str:
-    """Return a sentence that names the servers that failed, and why; empty when none failed."""
-    clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
-    more = len(clauses) - MOST_NAMED
-    told = clauses[:MOST_NAMED] + ([f"and {more} more"] if more > 0 else [])
+    """Return why servers failed, for a person; empty when none failed.
+
+    What a server told is its own sentence. Of one that told nothing, what it did is said. Names of servers are in the
+    stage events and in the log.
+    """
+    reasons = list(dict.fromkeys(reason_for_person(goal) for goal in goals if goal.outcome is Outcome.FAILED))
+    more = len(reasons) - MOST_NAMED
+    told = reasons[:MOST_NAMED] + ([f"and {more} more"] if more > 0 else [])
     return as_sentence("; ".join(told)) if told else ""
+
+
+def reason_for_person(goal: Goal) -> str:
+    """Return why a goal failed, without the full stop and without a name that only engineers know."""
+    if goal.told and not goal.fault and goal.status in (GoalStatusCode.ABORTED, GoalStatusCode.REJECTED):
+        return goal.told.rstrip(".")
+    return f"the program for it {goal.reason}"
 
 
 def as_sentence(words: str) -> str:

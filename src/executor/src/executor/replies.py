@@ -101,7 +101,7 @@ def ending_of_run(
         # Also when a preemption was requested: it succeeded first.
         if story.is_time_lost:
             return Ending(ReplyOutcome.FAILED, "LIMIT_REACHED", _text(*story.turns(), story.done_besides(), failures))
-        done = f"Done, after {failures}" if failures else "Done."
+        done = f"Done, though another way failed first: {failures}" if failures else "Done."
         return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.answers(), *story.turns()))
     # A server that ignored the cancel may still move the robot; the person must know which one.
     orphans = " ".join(

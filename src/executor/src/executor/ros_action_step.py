@@ -60,7 +60,7 @@ class StepContext:
         patience: how long the command may go on
         suspension: whether this process has just been resumed
         earliest_stamp_ns: no goal is stamped earlier, nanoseconds of ROS time
-        begin: called with the frame of each step that starts; returns whether it may
+        begin: called with the frame of each step that starts and the number of its clause; returns whether it may
         on_sent: called with the frame of each goal when it was sent
         on_end: called with the frame, the number of its node in the plan, and the goal that has ended
     """
@@ -74,7 +74,7 @@ class StepContext:
     patience: Patience
     suspension: SuspensionWatch
     earliest_stamp_ns: int
-    begin: Callable[[FilledFrame], bool]
+    begin: Callable[[FilledFrame, int], bool]
     on_sent: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
 
@@ -101,7 +101,7 @@ class ActionStep(smach.State):
 
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
-        if not self._context.begin(self._frame):
+        if not self._context.begin(self._frame, self._number):
             # Nothing begins any more; what still runs ends first, and then the whole plan.
             self._scope.wait(self._number, lambda: False)
             return _preempted(self)

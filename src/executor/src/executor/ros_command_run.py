@@ -27,6 +27,7 @@ from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
 from executor.run_record import NodeRecord, RunRecord
+from roboframenet_ros.spoken_text import join_with_and
 from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 
@@ -109,8 +110,9 @@ class CommandRun:
         self._record = RunRecord(plan)
         self._progress = Progress(plan)
         self._lock = threading.Lock()
-        # What runs now, and since when; several frames at a time in branches of the plan.
-        self._steps: Dict[FilledFrame, float] = {}
+        self._labels = [part.label for part in walk(plan)]
+        # The clauses that run now, and since when; several at a time in branches of the plan.
+        self._steps: Dict[FilledFrame, Tuple[int, float]] = {}
         self._since_s = time.monotonic()
         self._is_preempt_asked = threading.Event()
         self._is_without_master = False
@@ -160,25 +162,29 @@ class CommandRun:
         return self._has_ended.wait(timeout_s)
 
     def describe(self) -> str:
-        """Return a sentence that says what runs now, and for how long."""
-        verb = "Cancelling" if self._is_preempt_asked.is_set() else "Running"
+        """Return a sentence that says what is done now, in the words of the person, and for how long."""
+        is_ending = self._is_preempt_asked.is_set()
         with self._lock:
             steps = dict(self._steps)
         now_s = time.monotonic()
-        what = [f"{frame.name} by {frame.server} for {now_s - since_s:.0f} s" for frame, since_s in steps.items()]
-        return f"{verb}: {', '.join(what) or f'waiting for {now_s - self._since_s:.0f} s'}."
+        if not steps:
+            return f"{'Stopping' if is_ending else 'Waiting'} ({now_s - self._since_s:.0f} s)."
+        what = [
+            f'"{self._labels[number].strip(" .!")}" ({now_s - since_s:.0f} s)' for number, since_s in steps.values()
+        ]
+        return f"{'Stopping' if is_ending else 'Doing'} {join_with_and(what)}."
 
-    def _begin_step(self, frame: FilledFrame) -> bool:
+    def _begin_step(self, frame: FilledFrame, number: int) -> bool:
         with self._lock:
             if self._is_without_master:
                 return False
-            self._steps[frame] = time.monotonic()
+            self._steps[frame] = (number, time.monotonic())
         return True
 
     def _end_step(self, frame: FilledFrame, number: int, goal: Goal) -> None:
         with self._lock:
             now_s = time.monotonic()
-            took_s = now_s - self._steps.pop(frame, now_s)
+            took_s = now_s - self._steps.pop(frame, (number, now_s))[1]
             self._since_s = now_s
             is_over = self._is_without_master and not self._steps
         if is_over:

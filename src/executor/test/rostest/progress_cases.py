@@ -13,7 +13,7 @@ class ProgressCases(ExecutorCase):
     def test_events_come_while_it_runs(self):
         command = self.send([[frame("run", "one")]])
         wait_until(
-            lambda: len([event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4
+            lambda: len([event for event in self.events_of(command, False) if event.sentence.startswith("Doing ")]) >= 4
         )
         stamps = [event.stamp.to_sec() for event in self.events_of(command, False)]
         self.assertEqual(sorted(stamps), stamps)

@@ -26,7 +26,7 @@ class QuarantineTest(ExecutorCase):
             self.send([[frame("succeed", "freezing")]]),
             Reply.FAILED,
             "ALL_CANDIDATES_FAILED",
-            "freezing is out of use until it ends its last goal: it was silent",
+            "the program for it is out of use until it ends its last goal: it was silent",
         )
         self.assertNotIn("freezing begins succeed", self.log)
         os.kill(process_of("/frozen"), signal.SIGKILL)
@@ -37,13 +37,13 @@ class QuarantineTest(ExecutorCase):
         self.wait_for_log("one begins ignore_cancel")
         new = self.send([[frame("succeed", "one")], [frame("succeed", "two")]])
         self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND", "one did not end on cancel")
-        self.assert_reply(new, Reply.DONE, "DONE", "one is out of use until it ends its last goal")
+        self.assert_reply(new, Reply.DONE, "DONE", "the program for it is out of use until it ends its last goal")
         self.wait_for_log("one ends ignore_cancel")
         wait_until(lambda: self.is_used_again("one"), message="one is still out of use")
 
     def test_server_that_dies_and_is_back_at_once_owes_nothing(self):
         self.assert_reply(
-            self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "four has died"
+            self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "has died"
         )
         wait_until(lambda: self.is_used_again("four"), message="four is still out of use")
 

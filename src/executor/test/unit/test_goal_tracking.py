@@ -195,13 +195,13 @@ def test_goals_that_were_never_sent():
     assert tracking.preempt_unsent("s", DEADLINES, now_s=0.0).outcome is Outcome.PREEMPTED
 
 
-def test_failures_are_described_by_server():
+def test_failures_are_described_in_the_words_of_the_servers():
     goals = [
         result(accepted(), GoalStatusCode.ABORTED, text="no odometry"),
         result(accepted(), GoalStatusCode.SUCCEEDED, True),
         tracking.fail_unsent("arm", DEADLINES, "is not running", now_s=0.0),
     ]
-    assert tracking.describe_failures(goals) == "turn_server aborted: no odometry; arm is not running."
+    assert tracking.describe_failures(goals) == "no odometry; the program for it is not running."
     assert tracking.describe_failures(goals[1:2]) == ""
 
 
@@ -279,6 +279,7 @@ def test_goal_that_never_ends_is_cancelled_at_its_limit():
     assert (ended.outcome, ended.reason) == (Outcome.FAILED, "did not end within 60 s")
 
 
-def test_sentence_names_a_handful_of_servers_and_counts_the_others():
-    goals = [tracking.fail_unsent(f"s{number}", DEADLINES, "is not running", now_s=0.0) for number in range(64)]
-    assert tracking.describe_failures(goals).endswith("s5 is not running; and 58 more.")
+def test_sentence_gives_a_handful_of_reasons_once_and_counts_the_others():
+    goals = [result(accepted(), GoalStatusCode.ABORTED, text=f"reason {number}") for number in range(64)]
+    assert tracking.describe_failures(goals).endswith("reason 5; and 58 more.")
+    assert tracking.describe_failures(goals[:1] * 3) == "reason 0."

@@ -62,9 +62,9 @@ def clause(label, outcome, goals=()):
     "outcome,goals,cause,error,expected,code,part",
     [
         ("succeeded", [DONE], None, "", ReplyOutcome.DONE, "DONE", "Done."),
-        ("succeeded", [ABORTED, DONE], None, "", ReplyOutcome.DONE, "DONE", "walk aborted: no odometry"),
+        ("succeeded", [ABORTED, DONE], None, "", ReplyOutcome.DONE, "DONE", "no odometry"),
         ("succeeded", [DONE], Cause.NEW_COMMAND, "", ReplyOutcome.DONE, "DONE", "Done."),
-        ("aborted", [ABORTED], None, "", ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", "walk aborted: no odometry"),
+        ("aborted", [ABORTED], None, "", ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", "no odometry"),
         ("aborted", [ABORTED], Cause.STOPPED, "", ReplyOutcome.SUPERSEDED, "STOPPED", "Stopped."),
         ("preempted", [PREEMPTED], Cause.NEW_COMMAND, "", ReplyOutcome.SUPERSEDED, "NEW_COMMAND", "newer command"),
         ("preempted", [PREEMPTED], Cause.STOPPED, "", ReplyOutcome.SUPERSEDED, "STOPPED", "Stopped."),
@@ -104,17 +104,14 @@ NOT_BEGUN = clause("go home", "")
     "outcome,clauses,cause,error,code,sentence",
     [
         ("succeeded", [PINGED, PINGED], None, "", "DONE", "Done."),
-        ("succeeded", [PINGED, LATE], None, "", "DONE", "Done, after walk aborted: no odometry."),
+        ("succeeded", [PINGED, LATE], None, "", "DONE", "Done, though another way failed first: no odometry."),
         (
             "aborted",
             [PINGED, FAILED],
             None,
             "",
             "ALL_CANDIDATES_FAILED",
-            (
-                'I did "Ping", but I could not do "wave at Alice": walk aborted: no odometry; '
-                "wave rejected the goal: no arm."
-            ),
+            ('I did "Ping", but I could not do "wave at Alice": no odometry; no arm.'),
         ),
         # What went wrong in a clause that was done in the end is not why the other one failed.
         (
@@ -124,8 +121,8 @@ NOT_BEGUN = clause("go home", "")
             "",
             "ALL_CANDIDATES_FAILED",
             (
-                'I did "Ping" and "turn left", but I could not do "wave at Alice": walk aborted: no odometry; '
-                'wave rejected the goal: no arm. I did not begin "go home".'
+                'I did "Ping" and "turn left", but I could not do "wave at Alice": no odometry; '
+                'no arm. I did not begin "go home".'
             ),
         ),
         (
@@ -134,10 +131,7 @@ NOT_BEGUN = clause("go home", "")
             None,
             "",
             "ALL_CANDIDATES_FAILED",
-            (
-                'I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no arm. '
-                'I did not begin "go home" and "go home".'
-            ),
+            ('I could not do "wave at Alice": no odometry; no arm. I did not begin "go home" and "go home".'),
         ),
         (
             "preempted",
@@ -320,7 +314,7 @@ def test_clause_that_fails_in_its_second_round():
     events = [(0, BAD), (1, BAD), (2, OK), (2, BAD)]
     assert told(plan, *events, outcome="aborted", goals={2: ABORTED}) == (
         "ALL_CANDIDATES_FAILED",
-        'I did "drive", but I could not do "drive": walk aborted: no odometry. I did not begin "greet her".',
+        'I did "drive", but I could not do "drive": no odometry. I did not begin "greet her".',
     )
 
 
@@ -359,10 +353,7 @@ def test_malformed_plan():
         ([PINGED, NOT_BEGUN], 'I did "Ping". I did not begin "go home".'),
         (
             [PINGED, FAILED, NOT_BEGUN],
-            (
-                'I did "Ping". I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no '
-                'arm. I did not begin "go home".'
-            ),
+            ('I did "Ping". I could not do "wave at Alice": no odometry; no arm. I did not begin "go home".'),
         ),
         (
             [clause("turn left", "preempted", (PREEMPTED,)), NOT_BEGUN],

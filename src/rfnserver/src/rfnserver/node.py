@@ -7,7 +7,7 @@ import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, FrameServers
 from std_msgs.msg import String
 
-from rfnserver.pinging import ping_sentence
+from rfnserver.pinging import living_and_dead, ping_sentence
 from rfnserver.rfnserver import RFNServer
 from roboframenet_ros.ros_node import run_node
 
@@ -39,7 +39,9 @@ class PingServer:
     def _on_frame(self, _frame: FilledSemanticFrame) -> None:
         with self._lock:
             callbacks = self._servers.callbacks if self._servers else []
-        sentence = ping_sentence((each.frame_name, each.callback_topic, each.is_alive) for each in callbacks)
+        alive, dead = living_and_dead((each.frame_name, each.callback_topic, each.is_alive) for each in callbacks)
+        rospy.loginfo("servers that run: %s; that do not: %s", ", ".join(alive) or "none", ", ".join(dead) or "none")
+        sentence = ping_sentence(alive, dead)
         rospy.loginfo(sentence)
         self._said.publish(String(data=sentence))
         self._server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)

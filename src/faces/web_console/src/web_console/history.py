@@ -7,12 +7,14 @@ from typing import Callable, Iterable, Mapping, Optional, Sequence, Tuple
 from command_server.answers import answers_to
 from web_console.arcs import ParsedWord, draw_arcs, tell_arcs
 from web_console.progress import Progress, conclude, is_machine_of, light, ordered
+from web_console.telling import now_of, tasks_of
 from web_console.views import ClauseView, CommandView, PlanView, QuestionView, ReplyView, StageView
 
 #: How many commands are kept.
 MOST_COMMANDS = 50
 _MOST_STAGES = 16
 _LONGEST_TEXT = 1000
+_MOST_DID = 40
 
 
 class History:
@@ -62,7 +64,10 @@ class History:
                 self._views.popitem(last=False)
 
     def _change(self, command_id: str, change: Callable[[CommandView], CommandView]) -> None:
-        self._views[command_id] = change(self._views[command_id])
+        view = change(self._views[command_id])
+        tasks = tasks_of(view.plan) if view.plan else ()
+        now = "" if view.reply else now_of(view.stages, tasks, view.did)
+        self._views[command_id] = replace(view, tasks=tasks, now=now)
 
     def reported(self, command_id: str, stage: StageView) -> None:
         """A stage reported; what it said before about the command is replaced, but its trace stays if it has none."""
@@ -113,6 +118,14 @@ class History:
             return ""
         self._progress = progress
         self._change(self._running, lambda view: replace(view, plan=light(view.plan, progress) if view.plan else None))
+        return self._running
+
+    def doing(self, words: str) -> str:
+        """The robot says what it is doing; returns the command that runs, empty for none."""
+        view = self._views.get(self._running)
+        if not words or view is None or view.plan is None or view.reply is not None or view.did[-1:] == (words,):
+            return ""
+        self._change(self._running, lambda view: replace(view, did=(*view.did, words)[-_MOST_DID:]))
         return self._running
 
     def replied(self, command_id: str, reply: ReplyView) -> Tuple[str, ...]:

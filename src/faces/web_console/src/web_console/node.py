@@ -2,7 +2,7 @@
 
 import functools
 import os
-from typing import Any, Callable, List, Tuple
+from typing import Any, Callable, Dict, FrozenSet, List, Tuple
 
 import rospy
 from roboframenet_msgs.msg import StopReport
@@ -24,11 +24,14 @@ from web_console.ros_listener import Listener
 from web_console.ros_speaker import Speaker
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
-from web_console.views import AbilitiesView, EmergencyView, HealthView, StopView
+from web_console.suggestions import Present, read_templates, suggest
+from web_console.views import AbilitiesView, EmergencyView, HealthView, StopView, SuggestionsView
 
 #: Changes are gathered for this long, so that a page is not drawn anew for each of several messages about one thing.
 _GATHER_S = 0.015
 _LOOK_MS = 100
+#: So many sentences are not suggested again; then all are.
+_MOST_SAID = 1000
 #: Two others can stop the robot before this node has to.
 _REFRESH_PERIOD_S = 5.0
 #: When the port is taken, the next ones are tried.
@@ -47,6 +50,10 @@ class WebConsole:
         self._is_flush_due = False
         self._board = Board(most_commands=MOST_COMMANDS)
         self._history = History(is_own=came_by_action)
+        self._templates = read_templates()
+        self._frames: FrozenSet[str] = frozenset()
+        self._present: Tuple[Present, ...] = ()
+        self._said: Dict[str, None] = {}
         self._site = Site(
             site_settings,
             Callbacks(on_request=self._on_request, on_pages=self._on_pages, snapshot=self._board.snapshot),
@@ -61,6 +68,7 @@ class WebConsole:
             call_soon=call_soon,
             call_later=self._loop.call_later,
             on_change=self._flush_soon,
+            on_reply=self._suggest,
             on_stop_report=self._on_stop_report,
         )
         self._emergency = EmergencyWatch(lambda state: call_soon(self._on_emergency, state))
@@ -72,10 +80,11 @@ class WebConsole:
             on_change=self._flush_soon,
             on_picture=self._site.show_picture,
             on_names=self._on_names,
+            on_world=self._on_world,
         )
         self._knowledge = KnowledgeTap(
             call_soon=call_soon,
-            on_abilities=lambda view: self._show("abilities", view),
+            on_abilities=self._on_abilities,
             on_health=lambda view: self._show("health", view),
             on_turn=self._ground.watch,
         )
@@ -154,6 +163,22 @@ class WebConsole:
 
     def _on_stop_report(self, report: StopReport) -> None:
         self._speaker.hear_report(report)
+
+    def _on_abilities(self, view: AbilitiesView) -> None:
+        self._frames = frozenset(ability.frame for ability in view.abilities)
+        self._show("abilities", view)
+        self._suggest()
+
+    def _on_world(self, present: Tuple[Present, ...]) -> None:
+        if present != self._present:
+            self._present = present
+            self._suggest()
+
+    def _suggest(self) -> None:
+        self._said = dict.fromkeys([*self._said, *(view.text for view in self._history.views())])
+        if len(self._said) > _MOST_SAID:
+            self._said = {}
+        self._show("suggestions", SuggestionsView(suggest(self._templates, self._frames, self._present, self._said)))
 
     def _on_names(self, names: Tuple[str, ...]) -> None:
         self._history.names = {"where": names, "which": names}

@@ -15,6 +15,9 @@ _TYPES = {
     ".svg": "image/svg+xml",
 }
 _STYLE_LINK = b'<link rel="stylesheet" href="style.css">'
+#: Leaflet draws the map. Debian's package libjs-leaflet has it; without it the page says where the robot is, in words.
+LEAFLET = Path("/usr/share/javascript/leaflet")
+_LEAFLET_CODE, _LEAFLET_STYLE = "leaflet.esm.min.js", "leaflet.css"
 
 
 @dataclass(frozen=True)
@@ -32,7 +35,7 @@ class PageFile:
     packed: bytes
 
 
-def read_page(folder: Path = FOLDER) -> Tuple[Dict[str, PageFile], str]:
+def read_page(folder: Path = FOLDER, leaflet: Path = LEAFLET) -> Tuple[Dict[str, PageFile], str]:
     """Read the files of the page by name, and the policy that they need; the page itself has the empty name, too.
 
     The page holds its style, which a browser would have to ask for before it can draw anything. The policy allows
@@ -40,6 +43,9 @@ def read_page(folder: Path = FOLDER) -> Tuple[Dict[str, PageFile], str]:
     """
     data = {path.name: path.read_bytes() for path in folder.iterdir() if path.suffix in _TYPES}
     style = data["style.css"]
+    if (leaflet / _LEAFLET_CODE).is_file():
+        data["leaflet.js"] = (leaflet / _LEAFLET_CODE).read_bytes()
+        style = (leaflet / _LEAFLET_STYLE).read_bytes() + style
     assert data["index.html"].count(_STYLE_LINK) == 1
     data["index.html"] = data["index.html"].replace(_STYLE_LINK, b"<style>" + style + b"</style>")
     digest = base64.b64encode(hashlib.sha256(style).digest()).decode("ascii")

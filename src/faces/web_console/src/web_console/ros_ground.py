@@ -1,7 +1,7 @@
 """Hears where the robot is and what lies around it."""
 
 import time
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
@@ -11,7 +11,8 @@ from roboframenet_msgs.msg import Locations, World
 from web_console.board import Board
 from web_console.ground import Localization, thinned
 from web_console.ros_hearing import show
-from web_console.ros_values import landmarks_of, map_of, pose_value, world_view
+from web_console.ros_values import landmarks_of, map_of, pose_value, present_objects, world_view
+from web_console.suggestions import Present
 from web_console.views import GroundView, LandmarkView, MapView
 
 _MOST_LANDMARKS = 300
@@ -40,6 +41,7 @@ class GroundTap:
         on_change: Callable[[], None],
         on_picture: Callable[[str, bytes], None],
         on_names: Callable[[Tuple[str, ...]], None],
+        on_world: Callable[[Tuple[Present, ...]], None],
     ) -> None:
         """Prepare; `start` subscribes.
 
@@ -50,6 +52,7 @@ class GroundTap:
             on_change: called in that thread after each change of the board
             on_picture: called with the name and the data of the picture of the map
             on_names: called with the names of the places
+            on_world: called with what the world has
         """
         self._board = board
         self._path_topics = path_topics
@@ -57,6 +60,7 @@ class GroundTap:
         self._on_change = on_change
         self._on_picture = on_picture
         self._on_names = on_names
+        self._on_world_change = on_world
         self._localization = Localization()
         self._last_odometry: Optional[rospy.AnyMsg] = None
         self._last_person: Optional[rospy.AnyMsg] = None
@@ -66,6 +70,7 @@ class GroundTap:
         self._maps = 0
         self._places: Tuple[LandmarkView, ...] = ()
         self._known: Tuple[LandmarkView, ...] = ()
+        self._named: FrozenSet[str] = frozenset()
         self._others: Dict[str, LandmarkView] = {}
         self._subscribers: List[rospy.Subscriber] = []
         self._frequent: List[rospy.Subscriber] = []
@@ -148,6 +153,9 @@ class GroundTap:
 
     def _on_world(self, message: World) -> None:
         self._known = landmarks_of(message)[:_MOST_LANDMARKS]
+        wide = [one for one in message.objects if one.size.x > 0 and one.size.y > 0]
+        self._named = frozenset(name for one in wide for name in (one.name, *one.other_names))
+        self._on_world_change(present_objects(message))
         self._board.show("world", world_view(message))
         self._show()
         self._on_change()
@@ -158,10 +166,11 @@ class GroundTap:
         self._show()
 
     def _show(self, *, map_view: Optional[MapView] = None) -> None:
-        places = {place.name for place in self._places}
+        # What the world knows has walls and edges; a place of the same name is only a point.
+        places = {place.name: place for place in self._places if place.name not in self._named}
         known = tuple(one for one in self._known if one.name not in places)
         self._ground = GroundView(
-            map_view or self._ground.map, self._ground.path, (*self._places, *known, *self._others.values())
+            map_view or self._ground.map, self._ground.path, (*places.values(), *known, *self._others.values())
         )
         if self._board.show("ground", self._ground):
             self._on_change()

@@ -18,6 +18,7 @@ from roboframenet_msgs.msg import (
     StopReport,
 )
 from smach_msgs.msg import SmachContainerStatus
+from std_msgs.msg import String
 
 from web_console.board import Board
 from web_console.history import History
@@ -37,6 +38,7 @@ from web_console.views import ProblemsView, ProblemView, StatusView
 
 #: Messages are read when a command has passed most stages. A page may be late by less than a person sees.
 _PATIENCE_S = 0.03
+_LONGEST_DOING = 200
 
 
 class Listener:
@@ -44,8 +46,8 @@ class Listener:
 
     Subscribes: ``status``, ``stage_events``, ``command_parse``, ``command_lexical_units``,
     ``command_semantic_frames``, ``procedure``, ``reply``, ``stop_report``, ``file_problems``,
-    ``executor/smach/container_status``, ``standing_orders``. Not ``command_text`` and ``command_plan``: their
-    publishers wait for the first subscriber, which has to be the next stage.
+    ``executor/smach/container_status``, ``standing_orders``, ``doing``. Not ``command_text`` and ``command_plan``:
+    their publishers wait for the first subscriber, which has to be the next stage.
     """
 
     def __init__(
@@ -56,6 +58,7 @@ class Listener:
         call_soon: Callable[..., None],
         call_later: Callable[..., object],
         on_change: Callable[[], None],
+        on_reply: Callable[[], None],
         on_stop_report: Callable[[StopReport], None],
     ) -> None:
         """Prepare; `start` subscribes.
@@ -66,6 +69,7 @@ class Listener:
             call_soon: calls a function in the thread of the event loop, from any thread
             call_later: calls a function in that thread after some seconds
             on_change: called in that thread after each change of the board
+            on_reply: called in that thread after each reply
             on_stop_report: called in that thread
         """
         self._board = board
@@ -73,6 +77,7 @@ class Listener:
         self._call_soon = call_soon
         self._call_later = call_later
         self._on_change = on_change
+        self._on_reply_change = on_reply
         self._on_stop_report = on_stop_report
         self._lock = threading.Lock()
         self._waiting: List[Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = []
@@ -89,6 +94,7 @@ class Listener:
         self._hear("reply", Reply, self._on_reply)
         self._hear("status", CommandStatus, self._on_status)
         self._hear("standing_orders", StandingOrders, self._on_orders)
+        self._hear("doing", String, self._on_doing)
         self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
         self._subscribers.append(
             rospy.Subscriber(
@@ -164,9 +170,15 @@ class Listener:
         if moved:
             self.show([moved])
 
+    def _on_doing(self, message: String) -> None:
+        doing = self._history.doing(message.data[:_LONGEST_DOING].strip())
+        if doing:
+            self.show([doing])
+
     def _on_reply(self, reply: Reply) -> None:
         self._heard(reply.command)
         self.show(self._history.replied(reply.command.id, reply_view(reply)))
+        self._on_reply_change()
 
     def _on_status(self, status: CommandStatus) -> None:
         for command in status.active:

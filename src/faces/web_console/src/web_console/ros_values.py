@@ -30,6 +30,8 @@ from typed_arguments.ros_messages import frames_from_messages, from_message
 from web_console.arcs import ParsedWord
 from web_console.arguments import argument_view, trace_lines
 from web_console.ground import Pose, heading_of, map_png
+from web_console.suggestions import Present
+from web_console.telling import help_after
 from web_console.views import (
     ArgumentView,
     CandidateView,
@@ -61,6 +63,10 @@ _MOST_READINGS = 12
 _MOST_LEVELS = 32
 _MOST_NODES = 400
 _MOST_KNOWN = 200
+#: Sorts of what a hand takes something from.
+_LIES_ON = (WorldObject.THING, WorldObject.DEVICE)
+#: What is at least so long is drawn with its edges.
+_FURNITURE_M = 0.3
 
 
 def seconds(stamp: rospy.Time) -> float:
@@ -87,6 +93,7 @@ def reply_view(reply: Reply) -> ReplyView:
         sentence=reply.sentence,
         stage=reply.stage,
         after_s=round(max(0.0, seconds(reply.stamp) - seconds(reply.command.stamp)), 3),
+        help=help_after(OUTCOMES.get(reply.outcome, ""), reply.code),
     )
 
 
@@ -232,10 +239,47 @@ def servers_of(message: FrameServers) -> Tuple[Tuple[str, str, bool], ...]:
 
 def landmarks_of(world: World) -> Tuple[LandmarkView, ...]:
     """Return the objects whose pose is known, without the robot."""
+    me = {one.id for one in world.objects if one.sort == WorldObject.ROBOT}
+    return tuple(_landmark(one, me) for one in world.objects if one.pose.header.frame_id and one.id not in me)
+
+
+def _landmark(one: WorldObject, robots: "set[str]") -> LandmarkView:
+    pose = pose_value(one.pose.pose)
+    kind, is_wide = one.sort, one.size.x > 0 and one.size.y > 0
+    if is_wide and kind == WorldObject.PLACE:
+        kind = "room"
+    elif is_wide and kind in (WorldObject.THING, WorldObject.DEVICE) and max(one.size.x, one.size.y) >= _FURNITURE_M:
+        kind = "furniture"
+    return LandmarkView(
+        name=_name(one),
+        kind=kind,
+        x_m=round(pose.x_m, 3),
+        y_m=round(pose.y_m, 3),
+        width_m=round(one.size.x, 3),
+        depth_m=round(one.size.y, 3),
+        heading_rad=round(pose.heading_rad, 3),
+        states=tuple(one.states),
+        is_held=any(relation.relation == "held_by" and relation.reference in robots for relation in one.relations),
+    )
+
+
+def present_objects(world: World) -> Tuple[Present, ...]:
+    """Return what suggestions need of the objects, without the robot."""
+    sorts = {one.id: one.sort for one in world.objects}
+    carriers = {below.reference for one in world.objects for below in one.relations if below.relation == "on"}
     return tuple(
-        LandmarkView(_name(one), one.sort, round(one.pose.pose.position.x, 3), round(one.pose.pose.position.y, 3))
+        Present(
+            name=_name(one),
+            sort=one.sort,
+            states=frozenset(one.states),
+            is_wide=one.size.x > 0 and one.size.y > 0,
+            is_loose=any(sorts.get(relation.reference) in _LIES_ON for relation in one.relations),
+            carries=one.id in carriers,
+            holder=next((sorts.get(held.reference, "") for held in one.relations if held.relation == "held_by"), ""),
+            is_before=one.place_of_before.to_sec() > 0,
+        )
         for one in world.objects
-        if one.pose.header.frame_id and one.sort != WorldObject.ROBOT
+        if one.sort != WorldObject.ROBOT
     )
 
 

@@ -118,14 +118,33 @@ class PlanView:
 
 
 @dataclass(frozen=True)
+class TaskView:
+    """A clause of a plan in a line: its words, how far it is as in `PlanView`, and a note: "if the door is open"."""
+
+    text: str
+    state: str
+    note: str = ""
+
+
+@dataclass(frozen=True)
 class ReplyView:
-    """The reply to a command; `outcome` is DONE, FAILED, REFUSED, NEEDS_INFORMATION or SUPERSEDED."""
+    """The reply to a command.
+
+    Attributes:
+        outcome: DONE, FAILED, REFUSED, NEEDS_INFORMATION or SUPERSEDED
+        code: stable name of the reason
+        sentence: for the person
+        stage: where the command ended
+        after_s: time from the command to the reply
+        help: what would help; empty when the sentence says it
+    """
 
     outcome: str
     code: str
     sentence: str
     stage: str
     after_s: float
+    help: str = ""
 
 
 @dataclass(frozen=True)
@@ -152,6 +171,9 @@ class CommandView:
         plan: what will be done, or is being done
         reply: none while the command is open
         question: what the reply asks
+        tasks: the clauses of the plan in a line, for persons
+        did: what the robot was doing, in its words, the newest last
+        now: what happens now, for persons; empty when it has ended
     """
 
     id: str
@@ -165,6 +187,9 @@ class CommandView:
     plan: Optional[PlanView] = None
     reply: Optional[ReplyView] = None
     question: Optional[QuestionView] = None
+    tasks: Tuple[TaskView, ...] = ()
+    did: Tuple[str, ...] = ()
+    now: str = ""
 
 
 @dataclass(frozen=True)
@@ -186,6 +211,13 @@ class AbilitiesView:
     words: Tuple[str, ...] = ()
     frames: int = 0
     units: int = 0
+
+
+@dataclass(frozen=True)
+class SuggestionsView:
+    """Sentences that can be said here and now."""
+
+    sentences: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -291,12 +323,29 @@ class MapView:
 
 @dataclass(frozen=True)
 class LandmarkView:
-    """Something that is drawn beside the robot: a place, a person, a thing or the goal."""
+    """Something that is drawn beside the robot.
+
+    Attributes:
+        name: for persons
+        kind: room, furniture, door, place, person, thing, device or goal
+        x_m: of its middle
+        y_m: of its middle
+        width_m: along its x axis; 0 when unknown
+        depth_m: along its y axis; 0 when unknown
+        heading_rad: of its x axis
+        states: what is known of it: open, on, dirty
+        is_held: whether the robot holds it
+    """
 
     name: str
     kind: str
     x_m: float
     y_m: float
+    width_m: float = 0.0
+    depth_m: float = 0.0
+    heading_rad: float = 0.0
+    states: Tuple[str, ...] = ()
+    is_held: bool = False
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ import math
 from typing import Dict, Iterator, List, Optional, Tuple
 
 from home_servers.body import Body, CannotDo
+from home_servers.doing import doing
 from home_servers.memory import Known
 from home_servers.places import RELATIONS
 from roboframenet_ros.spoken_text import join_with_and
@@ -36,6 +37,7 @@ class Acting:
         self._opens_doors = True
         self._opened: List[str] = []
         self._depth = 0
+        self._looking = ""  # For what, and where.
 
     def attempt(self, kind: str, **values: object) -> None:
         """Do an action; go nearer, open, lift, switch on and try again as its failures ask for.
@@ -54,6 +56,10 @@ class Acting:
     def _attempt(self, action: Action) -> None:
         seen: Dict[str, int] = {}
         while True:
+            # Who looks for something does not say each door and each turn.
+            words = self._looking or doing(action, self.memory)
+            if words:
+                self.body.show_doing(words)
             failure = self.body.do(action)
             if failure is None:
                 return

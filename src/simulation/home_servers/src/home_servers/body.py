@@ -33,6 +33,9 @@ class Body(Protocol):
     def tell(self, told: Known) -> None:
         """Let others know what somebody has told the robot: what is not empty counts."""
 
+    def show_doing(self, words: str) -> None:
+        """Let persons see what the robot is doing: "going to the kitchen"; empty when it has ended."""
+
     def now_s(self) -> float:
         """The time, in seconds."""
 

@@ -108,6 +108,8 @@ class HomeServers:
                 server.set_aborted(FilledSemanticFrameResult(success=False), str(reason))
             except Interrupted:
                 server.set_preempted(FilledSemanticFrameResult(success=False))
+            finally:
+                self._body.show_doing("")
 
         server = RFNServer(name, callback)
         for frame in skills:

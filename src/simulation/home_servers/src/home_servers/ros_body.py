@@ -83,6 +83,7 @@ class RosBody:
         home/map (WorldUpdate), world_updates (WorldUpdate), amcl_pose, home/heard (std_msgs/String)
     Publishes:
         said (std_msgs/String), world_updates (WorldUpdate): what the robot was told
+        doing (std_msgs/String): what the robot is doing
     Actions called:
         home/act
     """
@@ -100,6 +101,7 @@ class RosBody:
         self._replies: List[Tuple[str, str]] = []
         self._wanted = threading.local()
         self._said = rospy.Publisher("said", String, queue_size=20)
+        self._doing = rospy.Publisher("doing", String, queue_size=20, latch=True)
         self._updates = rospy.Publisher("world_updates", WorldUpdate, queue_size=20)
         self._client = actionlib.ActionClient("home/act", FilledSemanticFrameAction)
         self._subscribers = [
@@ -181,6 +183,10 @@ class RosBody:
                 time.sleep(_POLL_S)
         with self._lock:
             return list(self._replies)
+
+    def show_doing(self, words: str) -> None:
+        """Publish what the robot is doing; see :class:`home_servers.body.Body`."""
+        self._doing.publish(String(data=words))
 
     def tell(self, told: Known) -> None:
         """Publish what somebody has told; see :class:`home_servers.body.Body`."""

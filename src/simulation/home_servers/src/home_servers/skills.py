@@ -5,6 +5,7 @@ from typing import Callable, Iterator, List, Optional, Sequence
 
 from home_servers.acting import Acting
 from home_servers.body import Body, CannotDo
+from home_servers.doing import looking_for
 from home_servers.memory import Known, is_any, is_whole
 from home_servers.places import HOLDING, Place
 from semantic_frames.semantic_type import with_parents
@@ -79,7 +80,7 @@ class Skills(Acting):
         wants_all = (argument.is_plural or is_whole(argument)) and argument.count is None
         # "Everything on the table" is more than what the robot has seen there by chance.
         where = (place or self._inner_place(argument)) if wants_all else None
-        self._look_in_each([where.known] if where is not None else [], lambda: True)
+        self._look_in_each([where.known] if where is not None else [], lambda: True, argument)
         found = self._matching(argument, sorts, place)
         if is_any(argument) and place is None:
             found = self._here_first(argument, sorts, found)
@@ -166,36 +167,41 @@ class Skills(Acting):
             return len(self._matching(argument, sorts, place)) >= need
 
         if targets:
-            self._look_in_each(targets, is_seen)
+            self._look_in_each(targets, is_seen, argument)
             return
-        self._look_in_each(at_first, is_seen)
+        self._look_in_each(at_first, is_seen, argument)
         if is_seen():
             return
         # First where no door must be opened, then behind doors, then in furniture.
         self._opens_doors = False
         try:
-            shut = self._look_in_each(self._by_distance(self.memory.all("room")), is_seen)
+            shut = self._look_in_each(self._by_distance(self.memory.all("room")), is_seen, argument)
         finally:
             self._opens_doors = True
-        if is_seen() or (self._look_in_each(shut, is_seen) is not None and is_seen()):
+        if is_seen() or (self._look_in_each(shut, is_seen, argument) is not None and is_seen()):
             return
         if "thing" in sorts or not sorts:
             holding = [one for one in self.memory.all("furniture") if one.category in HOLDING]
-            self._look_in_each(self._by_distance(holding), is_seen)
+            self._look_in_each(self._by_distance(holding), is_seen, argument)
 
     def _by_distance(self, places: Sequence[Known]) -> List[Known]:
         here = self.body.place()
         return sorted(places, key=lambda one: math.hypot(one.x_m - here[0], one.y_m - here[1]))
 
-    def _look_in_each(self, places: Sequence[Known], is_seen: Callable[[], bool]) -> List[Known]:
-        """Look in places until something is seen; return the places that it did not get into."""
+    def _look_in_each(
+        self, places: Sequence[Known], is_seen: Callable[[], bool], argument: TypedArgument
+    ) -> List[Known]:
+        """Look in places until what an argument means is seen; return the places that it did not get into."""
         left: List[Known] = []
         for place in places:
+            self._looking = looking_for(argument, place)
             try:
                 self.look_in(place)
             except CannotDo:
                 left.append(place)
                 continue
+            finally:
+                self._looking = ""
             if is_seen():
                 break
             self.tidy()
@@ -234,7 +240,8 @@ class Skills(Acting):
         if seen() is None:
             self.attempt("look")
         if seen() is None:
-            self._look_in_each(self._by_distance(self.memory.all("room")), lambda: seen() is not None)
+            rooms = self._by_distance(self.memory.all("room"))
+            self._look_in_each(rooms, lambda: seen() is not None, TypedArgument(text="you"))
         found = seen()
         if found is None:
             raise CannotDo("I do not see you.")

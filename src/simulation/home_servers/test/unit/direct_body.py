@@ -59,6 +59,9 @@ class DirectBody:
         names = self.home.plan.entities
         return [(names[event.who].name, event.what) for event in self.home.state.events[before:] if event.who != ROBOT]
 
+    def show_doing(self, words):
+        self.shown = [*getattr(self, "shown", []), words]
+
     def tell(self, told):
         self.told.append(told)
 

@@ -45,6 +45,9 @@ class RememberingBody:
         self.done.append(text)
         return [("Anna", "Yes")]
 
+    def show_doing(self, words):
+        self.shown = [*getattr(self, "shown", []), words]
+
     def tell(self, told):
         self.done.append(told)
 

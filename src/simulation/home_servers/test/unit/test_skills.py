@@ -5,6 +5,7 @@ from direct_body import DirectBody
 from shared_home import make_home
 
 from home_servers.body import CannotDo, Interrupted
+from home_servers.frames import FRAMES
 from home_servers.going import follow, move_along
 from home_servers.handling import put
 from home_servers.memory import Known, Memory
@@ -246,3 +247,14 @@ def test_a_clock_that_begins_anew_makes_nothing_old():
     memory.begin_anew()
     memory.update([Known("mug", "thing", ("mug",), relation="on", holder="desk", stamp_s=1.0)])
     assert memory.get("mug").holder == "desk"
+
+
+def test_what_the_robot_does_is_told_in_words():
+    body = DirectBody(make_home(), most_s=900.0)
+    skills = Skills(body, speaker="alice")
+    FRAMES["taking"](skills, FilledFrame("taking", (phrase("the glasses", name="theme"),)))
+    looking = [words for words in body.shown if words.startswith("looking for the glasses in ")]
+    assert looking and all("_" not in words for words in body.shown)
+    assert body.shown[-1] == "taking the glasses"
+    FRAMES["opening"](skills, FilledFrame("opening", (phrase("the wardrobe", name="container_portal"),)))
+    assert body.shown[-1] == "opening the wardrobe"

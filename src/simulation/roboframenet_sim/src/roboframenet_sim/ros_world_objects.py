@@ -32,7 +32,7 @@ def _object(entity: Entity, point: Any, yaw_rad: float = 0.0) -> WorldObject:
     one.pose.pose.position.x, one.pose.pose.position.y = point
     one.pose.pose.position.z = entity.height_m if entity.kind == "furniture" else 0.0
     one.pose.pose.orientation = quaternion_of_yaw(yaw_rad)
-    if entity.kind in ("room", "furniture"):
+    if entity.kind in ("room", "furniture", "door"):
         one.size.x, one.size.y = entity.x_m[1] - entity.x_m[0], entity.y_m[1] - entity.y_m[0]
         one.size.z = 2.5 if entity.kind == "room" else max(0.1, entity.height_m)
     return one

@@ -63,10 +63,10 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture) -> None:
 
 
 def test_passing_time_is_no_news() -> None:
-    running = Stage("executor", "Running: turning by turning for 1.0 s.")
+    running = Stage("executor", 'Doing "turn left" (1 s).')
     assert is_news(running, None)
-    assert not is_news(Stage("executor", "Running: turning by turning for 1.5 s."), running)
-    assert is_news(Stage("executor", "Running: moving by moving for 1.5 s."), running)
+    assert not is_news(Stage("executor", 'Doing "turn left" (2 s).'), running)
+    assert is_news(Stage("executor", 'Doing "go ahead" (2 s).'), running)
     assert is_news(Stage("arbitrator", running.sentence), running)
 
 

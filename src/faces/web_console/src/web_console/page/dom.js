@@ -45,5 +45,16 @@ export function keep(element, value, draw) {
   return true;
 }
 
+// How long something has been going on; `tick` keeps it true.
+export const seconds = (since) => make("time", { class: "for", "data-since": String(since) });
+
+export function tick() {
+  for (const one of document.querySelectorAll("time.for")) {
+    const passed = Math.floor((Date.now() - Number(one.dataset.since)) / 1000);
+    const text = passed < 2 ? "" : passed < 120 ? ` (${passed} s)` : ` (${Math.floor(passed / 60)} min)`;
+    if (one.textContent !== text) one.textContent = text;
+  }
+}
+
 export const duration = (seconds) =>
   seconds < 1 ? `${Math.round(seconds * 1000)} ms` : `${seconds < 10 ? seconds.toFixed(1) : Math.round(seconds)} s`;

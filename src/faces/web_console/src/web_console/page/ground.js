@@ -1,198 +1,225 @@
-// The robot on its ground: map, path, places, the way it came.
+// The robot where it is: a home or a map, the way it came and the way it goes. Leaflet draws it, zooms and pans.
+
+import { labelBoxes } from "./labels.js";
 
 const MOST_TRAIL = 600;
-const GLIDE_MS = 120;
 const LEAST_SPAN_M = 4;
-const still = matchMedia("(prefers-reduced-motion: reduce)");
-const wrap = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
+const ROBOT_M = 0.28;
+const DOOR_M = 0.9;
+// The important first: the robot and what it holds, persons, rooms; then furniture and things, as far as there is room.
+const RANKS = { robot: 0, person: 1, goal: 2, room: 3, place: 3, furniture: 4, door: 6, device: 5, thing: 5 };
+
+// What lies above what.
+const LAYERS = { room: 0.5, furniture: 1, door: 2, place: 2.5, thing: 3, device: 3, goal: 4, person: 5 };
 
 export class Ground {
-  constructor(canvas, text, card) {
-    this.canvas = canvas;
+  constructor(element, text, card) {
+    this.element = element;
     this.text = text;
     this.card = card;
-    this.pose = this.from = null;
+    this.pose = null;
     this.trail = [];
     this.view = { map: null, path: [], landmarks: [] };
-    this.image = null;
     this.due = 0;
-    new ResizeObserver(() => this.soon()).observe(canvas);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.tint());
+    this.asked = false;
+    this.isTouched = false;
   }
 
   move(pose) {
     const before = this.pose;
     if (before && before.frame !== pose.frame) this.trail = [];
-    this.from = before && !still.matches ? this.at() : pose;
-    this.since = performance.now();
     this.pose = pose;
     const last = this.trail[this.trail.length - 1];
     if (!last || Math.hypot(last.x_m - pose.x_m, last.y_m - pose.y_m) > 0.03) this.trail = [...this.trail, pose].slice(-MOST_TRAIL);
-    const degrees = Math.round(pose.heading_rad * 180 / Math.PI);
-    const words = `${pose.x_m.toFixed(2)} m, ${pose.y_m.toFixed(2)} m, heading ${degrees}°`;
-    this.text.textContent = words;
-    this.canvas.setAttribute("aria-label", `The robot is at ${words}`);
-    this.canvas.dataset.heading = String(degrees);
-    this.canvas.dataset.x = String(pose.x_m);
-    this.canvas.dataset.y = String(pose.y_m);
-    this.card.hidden = false;
+    this.element.dataset.heading = String(Math.round(pose.heading_rad * 180 / Math.PI));
+    this.element.dataset.x = String(pose.x_m);
+    this.element.dataset.y = String(pose.y_m);
+    this.tell();
     this.soon();
   }
 
   surround(view) {
-    const old = this.view.map;
     this.view = view;
-    if (view.map || view.landmarks.length) this.card.hidden = false;
-    if (view.map && (!old || old.address !== view.map.address)) {
-      const image = new Image();
-      image.addEventListener("load", () => { this.raw = image; this.tint(); });
-      image.src = view.map.address;
-    }
-    this.soon();
+    this.tell();
+    if (this.pose || view.map || view.landmarks.length) this.soon();
   }
 
-  // The picture holds only how opaque each place is; the colour is the theme's.
-  tint() {
-    if (this.raw) {
-      const copy = document.createElement("canvas");
-      copy.width = this.raw.width;
-      copy.height = this.raw.height;
-      const pen = copy.getContext("2d");
-      pen.drawImage(this.raw, 0, 0);
-      pen.globalCompositeOperation = "source-in";
-      pen.fillStyle = this.colour("--wall");
-      pen.fillRect(0, 0, copy.width, copy.height);
-      this.image = copy;
-    }
-    this.soon();
+  // In words, for those who do not see it.
+  tell() {
+    if (!this.pose) return;
+    const { x_m: x, y_m: y } = this.pose;
+    const inside = (one) => Math.abs(x - one.x_m) <= one.width_m / 2 && Math.abs(y - one.y_m) <= one.depth_m / 2;
+    const room = this.view.landmarks.find((one) => one.kind === "room" && inside(one));
+    const held = this.view.landmarks.filter((one) => one.is_held).map((one) => one.name);
+    const where = room ? `In the ${room.name}` : `${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${this.element.dataset.heading}°`;
+    const words = held.length ? `${where}. Holds ${held.join(" and ")}.` : `${where}${room ? "." : ""}`;
+    if (this.text.textContent !== words) this.text.textContent = words;
   }
-
-  colour(name) { return getComputedStyle(this.canvas).getPropertyValue(name).trim(); }
 
   soon() {
-    if (!this.due) this.due = requestAnimationFrame(() => { this.due = 0; this.draw(); });
+    this.card.hidden = false;
+    if (!this.map) this.begin();
+    else if (!this.due) this.due = requestAnimationFrame(() => { this.due = 0; this.draw(); });
   }
 
-  at() {
-    const part = Math.min(1, (performance.now() - this.since) / GLIDE_MS);
-    if (part >= 1 || !this.from) return this.pose;
-    const turn = wrap(this.pose.heading_rad - this.from.heading_rad);
-    return {
-      ...this.pose,
-      x_m: this.from.x_m + part * (this.pose.x_m - this.from.x_m),
-      y_m: this.from.y_m + part * (this.pose.y_m - this.from.y_m),
-      heading_rad: this.from.heading_rad + part * turn,
-    };
+  async begin() {
+    if (this.asked) return;
+    this.asked = true;
+    try {
+      this.L = await import("./leaflet.js");
+    } catch {
+      this.element.hidden = true;
+      return;
+    }
+    const L = this.L;
+    this.map = L.map(this.element, {
+      crs: L.CRS.Simple, attributionControl: false, zoomSnap: 0.25, zoomDelta: 0.75, wheelPxPerZoomLevel: 90, minZoom: 2, maxZoom: 9,
+      zoomAnimation: false, fadeAnimation: false, markerZoomAnimation: false,
+    });
+    // What it shows is told in words below it, and in what the robot knows.
+    this.map.getPane("mapPane").setAttribute("aria-hidden", "true");
+    this.map.setView([0, 0], 5);
+    this.rooms = L.layerGroup().addTo(this.map);
+    this.ways = L.layerGroup().addTo(this.map);
+    this.marks = L.layerGroup().addTo(this.map);
+    this.labels = this.element.appendChild(document.createElement("div"));
+    this.labels.className = "labels";
+    this.labels.setAttribute("aria-hidden", "true");
+    this.map.on("dragstart", () => { this.isTouched = true; });
+    this.element.addEventListener("wheel", () => { this.isTouched = true; }, { passive: true });
+    this.element.addEventListener("click", (event) => { if (event.target.closest(".leaflet-control-zoom")) this.isTouched = true; });
+    this.element.addEventListener("keydown", () => { this.isTouched = true; });
+    this.map.on("zoom move resize", () => this.label());
+    new ResizeObserver(() => { this.map.invalidateSize({ pan: false }); if (!this.isTouched) this.shown = ""; this.soon(); }).observe(this.element);
+    this.draw();
   }
 
-  // What has to be visible: the map, or else the robot with its way and the places.
-  bounds(pose) {
+  // What has to be visible: the rooms or the map, or else the robot with its way and the places.
+  bounds() {
     const map = this.view.map;
-    if (map) return [map.x_m, map.y_m, map.x_m + map.width_m, map.y_m + map.height_m];
-    const points = [...this.trail, ...this.view.path, ...this.view.landmarks, ...(pose ? [pose] : [])];
-    const xs = points.map((point) => point.x_m), ys = points.map((point) => point.y_m);
-    const middle = [(Math.min(...xs) + Math.max(...xs)) / 2 || 0, (Math.min(...ys) + Math.max(...ys)) / 2 || 0];
-    const span = Math.max(LEAST_SPAN_M, 1.3 * (Math.max(...xs) - Math.min(...xs)) || 0, 1.3 * (Math.max(...ys) - Math.min(...ys)) || 0);
-    return [middle[0] - span / 2, middle[1] - span / 2, middle[0] + span / 2, middle[1] + span / 2];
+    const rooms = this.view.landmarks.filter((one) => one.kind === "room");
+    const points = [];
+    if (map) points.push([map.y_m, map.x_m], [map.y_m + map.height_m, map.x_m + map.width_m]);
+    for (const one of rooms) points.push(...corners(one));
+    if (!points.length) {
+      const near = [...this.view.path, ...this.view.landmarks, ...(this.pose ? [this.pose] : []), ...this.trail];
+      for (const one of near) points.push([one.y_m, one.x_m]);
+      if (this.pose) {
+        points.push([this.pose.y_m - LEAST_SPAN_M / 2, this.pose.x_m - LEAST_SPAN_M / 2], [this.pose.y_m + LEAST_SPAN_M / 2, this.pose.x_m + LEAST_SPAN_M / 2]);
+      }
+    }
+    return points;
+  }
+
+  fit() {
+    const points = this.bounds();
+    if (this.isTouched || !points.length || !this.element.clientWidth) return;
+    const bounds = this.L.latLngBounds(points);
+    const key = bounds.toBBoxString().split(",").map((one) => Math.round(2 * one)).join();
+    if (key === this.shown) return;
+    this.shown = key;
+    this.map.fitBounds(bounds, { padding: [14, 14], animate: false });
   }
 
   draw() {
-    const { canvas } = this;
-    const width = canvas.clientWidth, height = canvas.clientHeight, ratio = devicePixelRatio || 1;
-    if (!width) return;
-    if (canvas.width !== Math.round(width * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
+    const { L, view } = this;
+    if (!this.map || !this.element.clientWidth) return;
+    this.fit();
+    const still = JSON.stringify([view.map, view.landmarks]);
+    if (still !== this.drawn) {
+      this.drawn = still;
+      this.rooms.clearLayers();
+      this.marks.clearLayers();
+      if (view.map) this.picture(view.map);
+      for (const one of [...view.landmarks].sort((one, other) => (LAYERS[one.kind] || 3) - (LAYERS[other.kind] || 3))) this.mark(one);
     }
-    const pose = this.pose && this.at();
-    const [left, bottom, right, top] = this.bounds(pose);
-    const scale = Math.min((width - 24) / (right - left), (height - 24) / (top - bottom));
-    const x = (value) => width / 2 + (value - (left + right) / 2) * scale;
-    const y = (value) => height / 2 - (value - (bottom + top) / 2) * scale;
-    const pen = canvas.getContext("2d");
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, width, height);
-    this.grid(pen, x, y, width, height, scale);
-    const map = this.view.map;
-    if (map && this.image) {
-      pen.save();
-      pen.imageSmoothingEnabled = scale * map.width_m < this.image.width;
-      pen.translate(x(map.x_m), y(map.y_m));
-      pen.rotate(-map.heading_rad);
-      pen.drawImage(this.image, 0, -map.height_m * scale, map.width_m * scale, map.height_m * scale);
-      pen.restore();
-    }
-    this.line(pen, this.trail, x, y, "--trail", []);
-    this.line(pen, this.view.path, x, y, "--accent", [6, 5]);
-    if (pose) this.robot(pen, x(pose.x_m), y(pose.y_m), pose.heading_rad, Math.max(11, Math.min(22, 0.25 * scale)));
-    pen.font = "12px system-ui, sans-serif";
-    pen.textAlign = "center";
-    for (const one of this.view.landmarks) {
-      pen.fillStyle = this.colour(one.kind === "place" ? "--muted" : "--accent");
-      pen.beginPath();
-      pen.arc(x(one.x_m), y(one.y_m), one.kind === "place" ? 3 : 5, 0, 7);
-      pen.fill();
-      // The goal stands on the place that it is.
-      if (one.kind === "goal") continue;
-      pen.strokeStyle = this.colour("--card");
-      pen.lineWidth = 3;
-      pen.strokeText(one.name, x(one.x_m), y(one.y_m) - 8);
-      pen.fillText(one.name, x(one.x_m), y(one.y_m) - 8);
-    }
-    if (this.pose && this.from !== this.pose && performance.now() - this.since < GLIDE_MS) this.soon();
+    this.ways.clearLayers();
+    if (this.trail.length > 1) L.polyline(this.trail.map(at), { className: "trail", interactive: false }).addTo(this.ways);
+    if (view.path.length > 1) L.polyline(view.path.map(at), { className: "way", interactive: false }).addTo(this.ways);
+    if (this.pose) this.robot(this.pose);
+    this.label();
   }
 
-  grid(pen, x, y, width, height, scale) {
-    const step = [0.25, 0.5, 1, 2, 5, 10, 50].find((one) => one * scale >= 28) || 100;
-    pen.strokeStyle = this.colour("--line");
-    pen.lineWidth = 1;
-    pen.beginPath();
-    const first = (at, low) => Math.ceil(low / step) * step;
-    const west = (0 - x(0)) / scale, south = (y(0) - height) / scale;
-    for (let at = first(0, west); x(at) < width; at += step) { pen.moveTo(Math.round(x(at)) + 0.5, 0); pen.lineTo(Math.round(x(at)) + 0.5, height); }
-    for (let at = first(0, south); y(at) > 0; at += step) { pen.moveTo(0, Math.round(y(at)) + 0.5); pen.lineTo(width, Math.round(y(at)) + 0.5); }
-    pen.stroke();
-    pen.fillStyle = this.colour("--muted");
-    pen.font = "11px system-ui, sans-serif";
-    pen.textAlign = "left";
-    pen.fillText(`${step} m`, 8, height - 8);
+  picture(map) {
+    const bounds = [[map.y_m, map.x_m], [map.y_m + map.height_m, map.x_m + map.width_m]];
+    if (Math.abs(map.heading_rad) < 0.01) this.L.imageOverlay(map.address, bounds, { className: "grid-picture", alt: "Map" }).addTo(this.rooms);
   }
 
-  line(pen, points, x, y, colour, dash) {
-    if (points.length < 2) return;
-    pen.strokeStyle = this.colour(colour);
-    pen.lineWidth = 3;
-    pen.lineJoin = pen.lineCap = "round";
-    pen.setLineDash(dash);
-    pen.beginPath();
-    points.forEach((point, index) => (index ? pen.lineTo(x(point.x_m), y(point.y_m)) : pen.moveTo(x(point.x_m), y(point.y_m))));
-    pen.stroke();
-    pen.setLineDash([]);
+  mark(one) {
+    const { L } = this;
+    const shape = { className: `mark ${one.kind} ${one.states.join(" ")}`, interactive: one.kind !== "room" };
+    let layer = null;
+    if (one.is_held) return;
+    if (one.kind === "door") layer = L.polyline(leaf(one), shape).addTo(this.rooms);
+    else if (one.width_m && one.depth_m) layer = L.polygon(corners(one), shape).addTo(this.rooms);
+    else layer = L.circleMarker(at(one), { ...shape, radius: { person: 7, goal: 6, place: 4 }[one.kind] || 3.5 }).addTo(this.marks);
+    if (one.kind !== "room") {
+      const name = document.createElement("span");
+      name.textContent = [one.name, ...one.states].join(", ").replace(/=/g, " ");
+      layer.bindTooltip(name, { sticky: true });
+    }
   }
 
-  robot(pen, x, y, heading, radius) {
-    pen.save();
-    pen.translate(x, y);
-    pen.rotate(-heading);
-    pen.fillStyle = this.colour("--accent-soft");
-    pen.beginPath();
-    pen.moveTo(0, 0);
-    pen.arc(0, 0, radius * 2.4, -0.45, 0.45);
-    pen.fill();
-    pen.fillStyle = this.colour("--accent");
-    pen.strokeStyle = this.colour("--card");
-    pen.lineWidth = 2;
-    pen.beginPath();
-    pen.arc(0, 0, radius, 0, 7);
-    pen.fill();
-    pen.stroke();
-    pen.fillStyle = this.colour("--card");
-    pen.beginPath();
-    pen.moveTo(radius * 0.7, 0);
-    pen.lineTo(-radius * 0.35, radius * 0.5);
-    pen.lineTo(-radius * 0.1, 0);
-    pen.lineTo(-radius * 0.35, -radius * 0.5);
-    pen.fill();
-    pen.restore();
+  robot(pose) {
+    const { L } = this;
+    const turn = (forward, left) => [
+      pose.y_m + forward * Math.sin(pose.heading_rad) + left * Math.cos(pose.heading_rad),
+      pose.x_m + forward * Math.cos(pose.heading_rad) - left * Math.sin(pose.heading_rad),
+    ];
+    const size = ROBOT_M, sight = [];
+    for (let angle = -0.45; angle <= 0.46; angle += 0.15) sight.push(turn(3.2 * size * Math.cos(angle), 3.2 * size * Math.sin(angle)));
+    L.polygon([turn(0, 0), ...sight], { className: "sight", interactive: false }).addTo(this.ways);
+    L.circle(at(pose), { radius: size, className: "robot-body", interactive: false }).addTo(this.ways);
+    L.polygon([turn(0.75 * size, 0), turn(-0.4 * size, 0.5 * size), turn(-0.15 * size, 0), turn(-0.4 * size, -0.5 * size)],
+      { className: "robot-nose", interactive: false }).addTo(this.ways);
   }
+
+  // Labels stand where they overlap nothing; those for which there is no room come with zoom, or under the pointer.
+  label() {
+    if (!this.map || !this.labels) return;
+    const held = this.view.landmarks.filter((one) => one.is_held).map((one) => one.name);
+    const wanted = this.view.landmarks.filter((one) => !one.is_held && one.kind !== "door" && one.kind !== "goal").map((one) => ({
+      text: one.name, kind: one.kind, rank: RANKS[one.kind] ?? 5, ...pixels(this.map.latLngToContainerPoint(at(one))),
+      isMiddle: one.kind === "room", wide_px: one.width_m ? this.map.options.crs.scale(this.map.getZoom()) * one.width_m : 0,
+    }));
+    if (this.pose && held.length) {
+      wanted.push({ text: `holds ${held.join(", ")}`, kind: "robot", rank: 0, ...pixels(this.map.latLngToContainerPoint(at(this.pose))), isMiddle: false, wide_px: 0 });
+    }
+    const size = this.map.getSize();
+    const taken = [{ left: 0, top: 0, width: 50, height: 78 }];
+    if (this.pose) {
+      const { x, y } = this.map.latLngToContainerPoint(at(this.pose));
+      const half = Math.max(6, ROBOT_M * this.map.options.crs.scale(this.map.getZoom()));
+      taken.push({ left: x - half, top: y - half, width: 2 * half, height: 2 * half });
+    }
+    const boxes = labelBoxes(wanted, { taken, width: size.x, height: size.y, zoom_px: this.map.options.crs.scale(this.map.getZoom()) });
+    this.labels.replaceChildren(...boxes.map((box) => {
+      const label = document.createElement("span");
+      label.className = `name of-${box.kind}`;
+      label.textContent = box.text;
+      label.style.transform = `translate(${box.left}px, ${box.top}px)`;
+      return label;
+    }));
+  }
+}
+
+const at = (one) => [one.y_m, one.x_m];
+const pixels = (point) => ({ x: point.x, y: point.y });
+
+function corners(one) {
+  const cos = Math.cos(one.heading_rad), sin = Math.sin(one.heading_rad);
+  return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([along, across]) => {
+    const dx = along * one.width_m / 2, dy = across * one.depth_m / 2;
+    return [one.y_m + dx * sin + dy * cos, one.x_m + dx * cos - dy * sin];
+  });
+}
+
+// A closed door is a line in its wall; an open one stands out from it. What is not known is drawn as closed, paler.
+function leaf(one) {
+  const long = Math.max(one.width_m, one.depth_m) || DOOR_M;
+  const along = one.heading_rad + (one.depth_m > one.width_m ? Math.PI / 2 : 0);
+  const half = { x: long / 2 * Math.cos(along), y: long / 2 * Math.sin(along) };
+  const hinge = [one.y_m - half.y, one.x_m - half.x];
+  const swing = one.states.includes("open") ? along + 1.2 : along;
+  return [hinge, [hinge[0] + long * Math.sin(swing), hinge[1] + long * Math.cos(swing)]];
 }

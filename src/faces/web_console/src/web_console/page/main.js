@@ -1,6 +1,7 @@
 // The connection, and what belongs where.
 
 import { drawMind } from "./mind.js";
+import { tick } from "./dom.js";
 import { Ground } from "./ground.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
 import { Talk } from "./talk.js";
@@ -50,15 +51,15 @@ function showState() {
   const element = byId("state");
   const isOpen = socket && socket.readyState === WebSocket.OPEN;
   element.dataset.state = !isOpen ? "lost" : status.active.length ? "busy" : "ready";
-  byId("state-text").textContent = !isOpen ? "No connection" : status.active.length ? status.sentence || "Working ..." : "Ready";
+  const doing = status.active.map((id) => commands.get(id)).filter((view) => view && view.now).map((view) => view.now).pop();
+  byId("state-text").textContent = !isOpen ? "No connection" : status.active.length ? doing || "Working ..." : "Ready";
   byId("send").disabled = !isOpen;
 }
 
 function say(text, kind) {
-  const banner = byId("banner");
-  banner.textContent = text;
-  banner.dataset.kind = kind;
-  banner.hidden = !text;
+  byId("banner").textContent = text;
+  byId("note").dataset.kind = kind;
+  byId("note").hidden = !text;
 }
 
 function showStop(view) {
@@ -70,13 +71,16 @@ function showStop(view) {
 const views = {
   command(view) {
     const isNew = !commands.has(view.id);
-    commands.set(view.id, view);
+    const before = commands.get(view.id);
+    commands.set(view.id, { ...view, since: before && before.now === view.now ? before.since : Date.now() });
     const newest = [...commands.values()].reduce((one, other) => (other.stamp_s >= one.stamp_s ? other : one));
     if (!selected || (isNew && newest.id === view.id)) selected = view.id;
     redrawSoon();
+    showState();
   },
   status(view) { status = view; showState(); },
   abilities(view) { drawAbilities(view, (text) => talk.offer(text)); talk.know(view); },
+  suggestions: (view) => talk.knowHere(view),
   problems: drawProblems,
   health: drawHealth,
   world: drawWorld,
@@ -138,6 +142,37 @@ document.addEventListener("keydown", (event) => {
     byId("text").focus();
   }
 });
+byId("dismiss").addEventListener("click", () => say("", "plain"));
+
+// One switch shows servers, frames and patterns, and it is kept.
+function showEngineer(isOn) {
+  document.body.classList.toggle("for-engineers", isOn);
+  byId("engineer").setAttribute("aria-pressed", String(isOn));
+}
+const kept = { get: () => { try { return localStorage.getItem("engineer"); } catch { return null; } },
+  set: (value) => { try { localStorage.setItem("engineer", value); } catch { /* a browser that keeps nothing */ } } };
+byId("engineer").addEventListener("click", () => {
+  const isOn = !document.body.classList.contains("for-engineers");
+  kept.set(isOn ? "on" : "off");
+  showEngineer(isOn);
+});
+showEngineer(kept.get() === "on");
+
+byId("large").addEventListener("click", () => {
+  const isOn = document.body.classList.toggle("large-map");
+  byId("large").setAttribute("aria-pressed", String(isOn));
+});
+
+// On a telephone one part is on the screen at a time.
+for (const tab of document.querySelectorAll(".tabs button")) {
+  tab.addEventListener("click", () => {
+    document.body.dataset.part = tab.dataset.part;
+    for (const other of document.querySelectorAll(".tabs button")) other.removeAttribute("aria-current");
+    tab.setAttribute("aria-current", "true");
+  });
+}
+setInterval(() => { if (!document.hidden) tick(); }, 1000);
+
 redraw();
 connect();
 showState();

@@ -1,6 +1,6 @@
 // How a command was understood: stages, parse, frames, plan, trace.
 
-import { duration, keep, make, picture } from "./dom.js";
+import { duration, keep, make, picture, seconds } from "./dom.js";
 
 const STAGES = [
   ["command_server", "Hear"], ["stanford_parser_ros", "Parse"], ["semantic_framer", "Frames"],
@@ -17,14 +17,14 @@ export function drawMind(element, view, cancel) {
   if (!view) {
     keep(element, null, () => make("div", { class: "card empty" },
       make("p", {}, "Say something, or choose a sentence of what it can do."),
-      make("p", { class: "quiet" }, "Here you will see how the robot understands it: the parse, the frames, the plan, and what each part is doing.")));
+      make("p", { class: "quiet" }, "Here you will see what the robot is going to do, and how far it is.")));
     return;
   }
   let parts = element.parts;
   if (!parts || element.viewId !== view.id) {
-    const card = (name, title) => make("section", { class: `card ${name}`, "aria-label": title });
+    const card = (name, title) => make("section", { class: `card engineer ${name}`, "aria-label": title });
     parts = element.parts = {
-      head: card("head", "Command"), parse: card("parse", "Parse"), frames: card("frames", "Frames"),
+      person: make("section", { class: "card head", "aria-label": "Command" }), head: card("stages", "Stages"), parse: card("parse", "Parse"), frames: card("frames", "Frames"),
       plan: card("plan", "Plan"), trace: card("trace", "Trace"),
     };
     element.viewId = view.id;
@@ -35,7 +35,8 @@ export function drawMind(element, view, cancel) {
     parts[part].hidden = !value;
     if (value) keep(parts[part], value, draw);
   };
-  fill("head", [view.text, view.stages.map(({ trace, ...rest }) => rest), view.reply, view.is_cancellable], () => head(view, cancel));
+  fill("person", [view.text, view.tasks, view.did, view.now, view.since, view.reply, view.is_cancellable], () => person(view, cancel));
+  fill("head", [view.stages.map(({ trace, ...rest }) => rest), view.reply], () => head(view));
   fill("parse", view.parse, () => [title("Parse", "dependencies of the words"),
     make("div", { class: "wide", tabindex: "0" }, picture(view.parse, view.parse_words))]);
   fill("frames", view.clauses.length ? view.clauses : null, () => [title("Frames", "what the words mean"), ...view.clauses.map(clause)]);
@@ -47,7 +48,29 @@ export function drawMind(element, view, cancel) {
 
 const title = (text, more) => make("h3", {}, text, make("small", {}, more));
 
-function head(view, cancel) {
+function person(view, cancel) {
+  const marks = { done: "✓", active: "●", failed: "✕", stopped: "■" };
+  const tried = view.did.filter((words, place) => view.did.indexOf(words) === place);
+  return [
+    make("p", { class: "sentence" }, make("span", {}, `“${view.text}”`),
+      view.is_cancellable && !view.reply
+        ? make("button", { type: "button", class: "cancel", onclick: () => cancel(view.id) }, "Cancel") : null),
+    view.tasks.length > 1 ? make("ol", { class: "tasks", "aria-label": "Steps" }, ...view.tasks.map((task) =>
+      make("li", { class: task.state, "data-state": task.state },
+        make("span", { class: "bead", "aria-hidden": "true" }, marks[task.state] || ""),
+        make("span", { class: "task" }, task.text, task.note ? make("small", {}, task.note) : null),
+        make("span", { class: "hidden" }, `, ${SPOKEN[task.state] || task.state}`)))) : null,
+    view.reply ? make("p", { class: `reply ${view.reply.outcome}` }, view.reply.sentence) : make("p", { class: "reply" }, view.now || "...", seconds(view.since)),
+    view.reply && view.reply.help ? make("p", { class: "quiet" }, view.reply.help) : null,
+    tried.length > 1 ? make("details", { "data-key": "did", open: Boolean(view.reply && view.reply.outcome === "FAILED") },
+      make("summary", {}, view.reply && view.reply.outcome === "FAILED" ? "What it tried" : "What it did"),
+      make("ol", { class: "did" }, ...tried.slice(-12).map((words) => make("li", {}, words)))) : null,
+  ];
+}
+
+const SPOKEN = { waiting: "may come", active: "runs", done: "done", failed: "failed", stopped: "stopped" };
+
+function head(view) {
   const reached = new Map(view.stages.map((stage) => [stage.name, stage]));
   const names = STAGES.map(([name]) => name);
   const last = Math.max(-1, ...view.stages.map((stage) => names.indexOf(stage.name)));
@@ -64,9 +87,7 @@ function head(view, cancel) {
   });
   const newest = view.stages[view.stages.length - 1];
   return [
-    make("p", { class: "sentence" }, `“${view.text}”`,
-      view.is_cancellable && !view.reply
-        ? make("button", { type: "button", class: "cancel", onclick: () => cancel(view.id) }, "Cancel") : null),
+    title("Stages", "how far it came, and why"),
     // A stop takes no stage.
     view.stages.length || !view.reply ? make("ol", { class: "strip" }, ...items) : null,
     view.reply

@@ -17,7 +17,7 @@ function draw() {
   const found = abilities.abilities.filter((one) =>
     [one.frame, one.description, one.domain, ...one.examples].join(" ").toLowerCase().includes(wanted));
   keep(byId("abilities"), [found, abilities.frames], () => {
-    if (!found.length) return make("p", { class: "quiet" }, abilities.frames ? "Nothing, so far." : "Waiting for the registrar ...");
+    if (!found.length) return make("p", { class: "quiet" }, abilities.frames ? "Nothing, so far." : "Waiting for the robot ...");
     const domains = new Map();
     for (const one of found) domains.set(one.domain, [...(domains.get(one.domain) || []), one]);
     return [...domains].map(([domain, ones]) => make("div", { class: "domain" }, make("h3", {}, domain), ...ones.map(ability)));
@@ -26,8 +26,8 @@ function draw() {
 
 function ability(view) {
   return make("details", { "data-key": view.frame },
-    make("summary", { title: view.description }, make("b", { class: "frame" }, view.frame), make("span", { class: "first" }, view.examples[0])),
-    make("p", { class: "quiet" }, view.description, view.servers.length ? ` By ${view.servers.join(", ")}.` : ""),
+    make("summary", { title: view.description }, make("b", { class: "frame engineer" }, view.frame), make("span", { class: "first" }, view.examples[0])),
+    make("p", { class: "quiet engineer" }, view.description, view.servers.length ? ` By ${view.servers.join(", ")}.` : ""),
     make("div", { class: "examples" }, ...view.examples.map((text) => make("button", { type: "button", onclick: () => offer(text) }, text))));
 }
 
@@ -56,15 +56,16 @@ export function drawOrders(view) {
 
 export function drawHealth(view) {
   keep(byId("health"), view, () => {
-    if (!view.is_master_up) return make("p", { class: "bad" }, "The ROS master does not answer.");
+    if (!view.is_master_up) return make("p", { class: "bad" }, "The ROS master does not answer: the robot's programs cannot find each other.");
     const bad = view.nodes.filter((one) => one.state !== "runs");
     const list = (nodes) => make("ul", { class: "nodes" }, ...nodes.map((one) => make("li", { "data-state": one.state, "data-node": one.name },
       make("span", { class: "dot", "aria-hidden": "true" }), make("b", {}, one.name), make("span", { class: "quiet" }, one.state === "runs" ? one.role : one.state))));
     if (!view.nodes.length) return make("p", { class: "quiet" }, "Asking ...");
     return [
-      bad.length ? list(bad) : make("p", { class: "good" }, `All ${view.nodes.length} run.`),
-      make("details", { "data-key": "nodes" }, make("summary", {}, "All nodes"), list(view.nodes)),
-    ];
+      bad.length ? [make("p", { class: "bad" }, `${bad.length} of ${view.nodes.length} programs of the robot do not run.`), make("div", { class: "engineer" }, list(bad))]
+        : make("p", { class: "good" }, `All ${view.nodes.length} run.`),
+      make("details", { "data-key": "nodes", class: "engineer" }, make("summary", {}, "All nodes"), list(view.nodes)),
+    ].flat();
   });
 }
 

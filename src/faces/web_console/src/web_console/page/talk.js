@@ -1,6 +1,6 @@
 // What was said: sentences, replies, questions with their answers, and the line to say more.
 
-import { keep, make } from "./dom.js";
+import { keep, make, seconds } from "./dom.js";
 
 const MOST_SUGGESTIONS = 6;
 const MARKS = { DONE: "✓", FAILED: "✕", REFUSED: "–", NEEDS_INFORMATION: "?", SUPERSEDED: "■" };
@@ -14,6 +14,7 @@ export class Talk {
     this.place = 0;
     this.words = [];
     this.sentences = [];
+    this.here = [];
     this.input = byId("text");
     byId("say").addEventListener("submit", (event) => {
       event.preventDefault();
@@ -57,15 +58,19 @@ export class Talk {
     this.suggest();
   }
 
+  knowHere(view) {
+    this.here = view.sentences;
+    this.suggest();
+  }
+
   suggest() {
     const text = this.input.value;
     const low = text.toLowerCase();
     let found = [];
     if (!low.trim()) {
-      const whole = this.sentences.filter((one) => /^[A-Z].*\.$/.test(one));
-      found = whole.filter((_, index) => index % Math.max(1, Math.floor(whole.length / 4)) === 0).slice(0, 4);
+      found = this.here;
     } else {
-      found = this.sentences.filter((one) => one.toLowerCase().startsWith(low) && one.length > text.length).slice(0, 3);
+      found = [...this.here, ...this.sentences].filter((one) => one.toLowerCase().startsWith(low) && one.length > text.length).slice(0, 3);
       const last = /[\p{L}'-]+$/u.exec(low);
       if (last) {
         const head = text.slice(0, text.length - last[0].length);
@@ -78,18 +83,18 @@ export class Talk {
   }
 
   draw(commands, selected) {
-    const log = byId("log");
-    const isAtEnd = log.scrollHeight - log.scrollTop - log.clientHeight < 60;
+    const log = byId("log"), frame = byId("log-frame");
+    const isAtEnd = frame.scrollHeight - frame.scrollTop - frame.clientHeight < 60;
     const rows = new Map([...log.children].map((row) => [row.dataset.id, row]));
     for (const view of commands) {
       const row = rows.get(view.id) || log.appendChild(make("li", { "data-id": view.id }));
       rows.delete(view.id);
-      const shown = { text: view.text, reply: view.reply, is: view.id === selected, now: view.reply ? "" : now(view) };
+      const shown = { text: view.text, reply: view.reply, is: view.id === selected, now: view.now, since: view.since };
       keep(row, shown, () => this.row(view, shown));
       row.classList.toggle("selected", shown.is);
     }
     for (const row of rows.values()) row.remove();
-    if (isAtEnd) log.scrollTop = log.scrollHeight;
+    if (isAtEnd) frame.scrollTop = frame.scrollHeight;
     const asked = commands.filter((view) => view.question).pop();
     keep(byId("answers"), asked ? [asked.id, asked.question] : null, () => asked && asked.question.answers.map((answer) =>
       make("button", { type: "button", onclick: () => this.send(answer) }, answer)));
@@ -99,10 +104,9 @@ export class Talk {
     const person = make("button", {
       type: "button", class: "person", "aria-pressed": String(shown.is), onclick: () => this.select(view.id),
     }, view.text);
-    if (!view.reply) return [person, make("p", { class: "robot waiting" }, shown.now || "...")];
+    if (!view.reply) return [person, make("p", { class: "robot waiting" }, shown.now || "...", seconds(shown.since))];
     return [person, make("p", { class: `robot ${view.reply.outcome}` },
-      make("span", { class: "mark", "aria-hidden": "true" }, MARKS[view.reply.outcome] || ""), view.reply.sentence)];
+      make("span", { class: "mark", "aria-hidden": "true" }, MARKS[view.reply.outcome] || ""), view.reply.sentence,
+      view.reply.help ? make("span", { class: "help" }, view.reply.help) : null)];
   }
 }
-
-const now = (view) => (view.stages.length ? view.stages[view.stages.length - 1].sentence : "");
