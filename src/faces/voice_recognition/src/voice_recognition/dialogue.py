@@ -54,7 +54,7 @@ class DialogueSettings:
             return True
         confirm = self.confirm_frames.get(offer.frame, self.confirm)
         if confirm is Confirm.MOTION:
-            return offer.frame not in self.frames_without_motion
+            return not offer.is_question and offer.frame not in self.frames_without_motion
         return confirm is Confirm.ALWAYS
 
 
