@@ -14,13 +14,13 @@ from voice_recognition.whisper_model import Sentence
 #: The logarithm of how much less likely a sentence is said to a robot: by what it is to the robot, and for each word
 #: that the robot does not know.
 LESS_LIKELY: Mapping[Sense, float] = MappingProxyType(
-    {Sense.NONE: -6.0, Sense.REFUSED: -5.0, Sense.ASKED: -1.0, Sense.COMMAND: 0.0, Sense.STOP: 0.0}
+    {Sense.NONE: -6.0, Sense.REFUSED: -5.0, Sense.ASKED: -1.0, Sense.COMMAND: 0.0, Sense.STOP: -1.0}
 )
 PER_UNKNOWN_WORD = -8.0
 #: A sentence whose words are known and heard so well, and that outweighs all others so far, is sure.
 SURE_PER_TOKEN, SURE_SHARE = -0.4, 0.9
-#: A sentence that sounds less likely is not offered.
-LEAST_PER_TOKEN = -2.2
+#: Where the likeliest sentence sounds less likely, nothing was heard; what only sounds like it may sound less likely.
+LEAST_PER_TOKEN, LEAST_PER_TOKEN_ALIKE = -2.2, -4.0
 #: Another command with such a share is offered as well.
 CHOICE_SHARE = 0.25
 #: From this share on, a command is offered alone.
@@ -67,10 +67,10 @@ def choose(candidates: Sequence[Candidate]) -> Heard:
         return Heard(Verdict.NOTHING)
     first, rest = groups[0], groups[1:]
     words = spoken_words(first.best.sentence.text)
-    plain = spoken_words(max(candidates, key=lambda one: one.sentence.log_probability).sentence.text)
-    heard = Heard(Verdict.AGAIN, (), words, plain)
+    plain = max(candidates, key=lambda one: (one.is_heard, one.sentence.log_probability)).sentence
+    heard = Heard(Verdict.AGAIN, (), words, spoken_words(plain.text))
     meaning, per_token = first.best.meaning, first.best.sentence.per_token
-    if per_token < LEAST_PER_TOKEN:
+    if plain.per_token < LEAST_PER_TOKEN or per_token < LEAST_PER_TOKEN_ALIKE:
         return replace(heard, verdict=Verdict.NOTHING)
     if meaning.sense is Sense.STOP:
         return replace(heard, verdict=Verdict.SURE, is_stop=True, by_ngram=words)

@@ -8,6 +8,7 @@ from typing import FrozenSet, List, Optional
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import Knowledge
 from offline_pipeline.pipeline import Pipeline, Understanding
+from typed_arguments import TypedArgument
 from voice_recognition.offers import Offer, OfferFinder, of_other_person, without_politeness
 from voice_recognition.spoken_language import Words, spoken_words
 from voice_recognition.voice_words import voice_words
@@ -81,18 +82,19 @@ class CommandReader:
         still = voice_words().frames_without_motion
         moving = next((one.name for one in deeds if one.name not in still), "")
         elements = [
-            (f"{number}.{argument.name}" if number else argument.name, argument.text)
+            (f"{number}.{argument.name}" if number else argument.name, _value(argument))
             for number, reading in enumerate(understood.readings)
             for argument in reading.arguments
         ]
         elements += [("frame", one.unit.frame_name) for one in understood.readings[1:]]
         written = text.strip().rstrip(".!?")
-        found = self._finder.find(words)
+        deed = self._deed(written, understood)
+        found = self._finder.find(words) if not deed else None
         return Offer(
             moving or understood.readings[0].unit.frame_name,
             tuple(sorted(elements)),
             written,
-            found.deed if found is not None and found.deed else self._deed(written, understood),
+            deed or (found.deed if found is not None else ""),
             is_question=not deeds,
         )
 
@@ -106,6 +108,12 @@ class CommandReader:
         if not command or command[0].lower() != verb:
             return ""
         return of_other_person(" ".join((command[0].lower(), *command[1:])))
+
+
+def _value(argument: TypedArgument) -> str:
+    """Return an argument as it is compared: "20 centimeters" and "twenty centimetres" are the same."""
+    measure = argument.measure
+    return argument.text if measure is None or measure.si is None else f"{measure.si:.6g} {measure.kind}"
 
 
 def words_known(knowledge: Knowledge, world: World) -> FrozenSet[str]:

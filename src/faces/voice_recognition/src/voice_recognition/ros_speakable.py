@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import World as WorldMessage
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_types import NoWordNet
 from stanford_parser_ros.inference import ModelError
+from voice_recognition.command_reading import CommandReader
 from voice_recognition.ears import Ears, make_shipped_ears
 from voice_recognition.live_language import Knowledge, LanguageMaker
 from voice_recognition.live_reader import ReaderMaker
@@ -46,6 +47,7 @@ class SpeakableCommands:
         self._world = World()
         self._new_world: Optional[WorldMessage] = None
         self._readers = ReaderMaker()
+        self._reader: Optional[CommandReader] = None
         self._lock = threading.Lock()
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
@@ -89,8 +91,9 @@ class SpeakableCommands:
             self._world = world
             if are_names_new:
                 self._changed_at = time.monotonic()
-            elif isinstance(self._ears, WhisperEars):
-                self._ears = self._ears.in_world(world)
+            elif isinstance(self._ears, WhisperEars) and self._reader is not None:
+                self._reader = self._reader.in_world(world)
+                self._ears = self._ears.reading_by(self._reader)
 
     def _on_lexicon(self, message: Lexicon) -> None:
         self._know(unit_files=tuple((file.path, file.text) for file in message.files))
@@ -123,8 +126,8 @@ class SpeakableCommands:
             language = self._maker.make(knowledge)
             ears: AnyEars = make_shipped_ears(language)
             if self._whisper is not None:
-                reader = self._readers.make(knowledge, ears.finder, world)
-                ears = make_whisper_ears(ears, self._whisper, reader, world)
+                self._reader = self._readers.make(knowledge, ears.finder, world)
+                ears = make_whisper_ears(ears, self._whisper, self._reader, world)
             self._ears = ears
         except (NoRecogniser, NoWordNet, ModelError) as reason:
             rospy.logerr("no command can be heard: %s", reason)

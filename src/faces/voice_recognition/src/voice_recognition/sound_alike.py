@@ -1,7 +1,7 @@
 """Finds words that the robot knows and that sound like what was heard: "Bob" like "God", "carry" like "car hit"."""
 
 from functools import lru_cache
-from typing import Dict, FrozenSet, Iterator, List, Mapping, Sequence, Tuple
+from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Sequence, Tuple
 
 from voice_recognition.pronunciation import Dictionary, pronounce
 from voice_recognition.spoken_language import Words
@@ -11,7 +11,7 @@ Sounds = Tuple[str, ...]
 #: Edits of the sounds of a word, divided by their number, up to which another word sounds like it.
 MOST_DIFFERENT = 0.45
 #: Words that are named for one that was heard, at most.
-MOST_ALIKE = 4
+MOST_ALIKE = 6
 #: How much likelier a name is than another word, in the measure of how different they sound.
 LIKELIER_NAME = 0.25
 #: What it costs to take one sound for another of its kind, and to leave one out or put one in.
@@ -30,16 +30,16 @@ _KIND_OF: Mapping[str, int] = {sound: number for number, sounds in enumerate(_KI
 class SoundAlikes:
     """The words that a robot knows, by their sounds."""
 
-    def __init__(self, words: FrozenSet[str], names: FrozenSet[str], dictionary: Dictionary) -> None:
+    def __init__(self, words: FrozenSet[str], names: Iterable[str], dictionary: Dictionary) -> None:
         """
         Args:
             words: that the robot knows, in lower case
-            names: those of them that are names; they are likelier than other words that sound alike
+            names: those of them that are names, as they are written; they are likelier than others that sound alike
             dictionary: sounds of words; espeak-ng says those of other words
         """
         known, _ = pronounce(sorted(words), dictionary)
         self._dictionary = dictionary
-        self._names = names
+        self._names = {name.lower(): name for name in names}
         self._by_length: Dict[int, List[Tuple[str, Sounds]]] = {}
         for word, ways in known.items():
             sounds = tuple(ways[0].split())
@@ -54,6 +54,10 @@ class SoundAlikes:
             words: one, or two that may have been one
         """
         return self._alike(words)
+
+    def written(self, words: Words) -> str:
+        """Return a sentence of some words in which names have their capitals: Whisper finds those likelier."""
+        return " ".join(self._names.get(word, word) for word in words)
 
     def _find(self, words: Words) -> Tuple[Tuple[str, float], ...]:
         ways, unknown = pronounce(words, self._dictionary)

@@ -15,7 +15,9 @@ from voice_recognition.whisper_process import transcript_of
 #: Seconds until the process is ready, and for one answer.
 START_S, ANSWER_S = 60.0, 8.0
 #: Seconds before it is started anew.
-RETRY_S = 5.0
+RETRY_S = 2.0
+#: Seconds between two looks at whether it is ready.
+LOOK_S = 0.2
 
 
 class NotHeard(RuntimeError):
@@ -55,8 +57,11 @@ class WhisperProcess:
             self._start()
 
     def wait_until_ready(self, timeout_s: float = START_S) -> bool:
-        """Wait until it hears; return whether it does."""
-        return self._ready.wait(timeout_s)
+        """Wait until it hears, started anew if need be; return whether it does."""
+        until = time.monotonic() + timeout_s
+        while not self._ready.wait(LOOK_S) and time.monotonic() < until:
+            self.start()
+        return self.is_ready
 
     def hear(self, pcm: bytes, prompt: str = "") -> Transcript:
         """Return what is said in a sound.
@@ -80,8 +85,17 @@ class WhisperProcess:
         """
         return transcript_of(self._ask({"score": list(texts), "sound": sound})).sentences if texts else ()
 
+    def end_process(self, problem: str) -> None:
+        """End the process; the next request starts it anew.
+
+        Args:
+            problem: why
+        """
+        with self._lock:
+            self._end(problem)
+
     def close(self) -> None:
-        """End the process."""
+        """End the process for good."""
         with self._lock:
             self._is_closed = True
             self._end("closed")

@@ -1,12 +1,12 @@
 """Hears by Whisper what can be written: what the robot knows chooses among what may have been said."""
 
 import threading
-from typing import Dict, Mapping, Optional, Protocol, Sequence, Tuple
+from typing import Dict, FrozenSet, Mapping, Optional, Protocol, Sequence, Tuple
 
 from command_server.stop_words import is_stop
 from voice_recognition.agreement import Heard, Verdict, answer_of
 from voice_recognition.choosing import Candidate, choose
-from voice_recognition.command_reading import CommandReader, Meaning, Sense
+from voice_recognition.command_reading import Meaning, Sense
 from voice_recognition.ears import Ears, answers
 from voice_recognition.offers import OfferFinder
 from voice_recognition.recogniser import model_dictionary
@@ -20,14 +20,16 @@ from world_model.world_object import Sort
 
 #: From this probability on nobody speaks, whatever Whisper writes.
 NO_SPEECH = 0.6
-#: An answer that sounds less likely does not count; nor does a stop, of which it matters more that it is heard.
-ANSWER_PER_TOKEN, STOP_PER_TOKEN = -1.3, -1.8
+#: An answer that sounds less likely does not count.
+ANSWER_PER_TOKEN = -1.3
+#: So many words are no stop that was misheard.
+FEWEST_WORDS_OF_TALK = 4
 #: Sentences that only sound like what was heard: those that are read, and of these those that are scored, at most.
-MOST_READ, MOST_SCORED = 16, 6
+MOST_READ, MOST_SCORED = 24, 8
 #: Names in the prompt, at most.
 MOST_NAMES = 12
 #: Whisper writes names and commands that it has just read about.
-PROMPT = "Commands to a robot: go to the kitchen, turn left 90 degrees, move forward 2 metres, bring me the mug."
+PROMPT = "Commands to a robot: stop. Emergency stop. Go to the kitchen, turn left 90 degrees, move forward 2 metres, bring me the mug."
 NAMES_PROMPT = "Follow {names}."
 
 
@@ -41,10 +43,21 @@ class Hearer(Protocol):
         """Return how likely some texts are in a sound of a transcript."""
 
 
+class Reader(Protocol):
+    """What the ears need of :class:`.command_reading.CommandReader`."""
+
+    @property
+    def known(self) -> FrozenSet[str]:
+        """The words that the robot knows, in lower case."""
+
+    def read(self, text: str) -> Meaning:
+        """Return what the robot makes of a text."""
+
+
 class WhisperEars:
     """Hears commands and answers of one robot. Another robot, or other knowledge, makes new ears."""
 
-    def __init__(self, ears: Ears, hearer: Hearer, reader: CommandReader, alikes: SoundAlikes, prompt: str) -> None:
+    def __init__(self, ears: Ears, hearer: Hearer, reader: Reader, alikes: SoundAlikes, prompt: str) -> None:
         """
         Args:
             ears: by pocketsphinx, which hear in the place of Whisper when it does not answer
@@ -66,9 +79,9 @@ class WhisperEars:
         """Reads words by the templates of the language."""
         return self._ears.finder
 
-    def in_world(self, world: World) -> "WhisperEars":
+    def reading_by(self, reader: Reader) -> "WhisperEars":
         """Return ears of a robot that knows of other things, persons and places, which have the same names."""
-        return WhisperEars(self._ears, self._hearer, self._reader.in_world(world), self._alikes, self._prompt)
+        return WhisperEars(self._ears, self._hearer, reader, self._alikes, self._prompt)
 
     @property
     def by_pocketsphinx(self) -> Ears:
@@ -116,10 +129,18 @@ class WhisperEars:
         heard = _spelled_once(transcript.sentences) if transcript.no_speech <= NO_SPEECH else ()
         if not heard:
             return None
-        if self._stops(heard[0]):
-            return stop_text(spoken_words(heard[0].text)) if heard[0].per_token >= STOP_PER_TOKEN else None
-        is_clear = heard[0].per_token >= ANSWER_PER_TOKEN or self._reader.read(heard[0].text).sense >= Sense.ASKED
-        return "" if is_clear and not any(map(self._stops, heard)) else None
+        chosen = choose([Candidate(one, self._reader.read(one.text)) for one in heard])
+        if chosen.is_stop:
+            return stop_text(chosen.by_grammar)
+        is_other = self._is_clearly_other(heard[0]) and not any(is_stop(one.text) for one in heard)
+        return "" if is_other else None
+
+    def _is_clearly_other(self, sentence: Sentence) -> bool:
+        """Whether what was heard is a command, or a sentence of talk: one or two words may be a stop, misheard."""
+        if sentence.per_token < ANSWER_PER_TOKEN:
+            return False
+        is_long = len(spoken_words(sentence.text)) >= FEWEST_WORDS_OF_TALK
+        return is_long or self._reader.read(sentence.text).sense >= Sense.ASKED
 
     def _transcript(self, pcm: bytes) -> Transcript:
         """Return what Whisper hears; a stop and a command are looked for in the same sound, which is heard once."""
@@ -127,9 +148,6 @@ class WhisperEars:
             if self._last[0] != pcm:
                 self._last = (pcm, self._hearer.hear(pcm, self._prompt))
             return self._last[1]
-
-    def _stops(self, sentence: Sentence) -> bool:
-        return is_stop(sentence.text)
 
     def _chosen(self, transcript: Transcript) -> Heard:
         if transcript.no_speech > NO_SPEECH or not transcript.sentences:
@@ -153,7 +171,7 @@ class WhisperEars:
         for one in heard[:3]:
             for difference, words in variants(spoken_words(one.text), self._reader.known, self._alikes):
                 if words not in taken:
-                    text = " ".join(words)
+                    text = self._alikes.written(words)
                     likely[text] = min(difference, likely.get(text, difference))
         for text in sorted(likely, key=lambda text: likely[text])[:MOST_READ]:
             meaning = self._reader.read(text)
@@ -201,7 +219,7 @@ def prompt_with(names: Sequence[str]) -> str:
     return f"{PROMPT} {NAMES_PROMPT.format(names=', '.join(persons))}" if persons else PROMPT
 
 
-def make_whisper_ears(ears: Ears, hearer: Hearer, reader: CommandReader, world: World) -> WhisperEars:
+def make_whisper_ears(ears: Ears, hearer: Hearer, reader: Reader, world: World) -> WhisperEars:
     """Make ears with the dictionary of pocketsphinx.
 
     Args:
@@ -214,6 +232,6 @@ def make_whisper_ears(ears: Ears, hearer: Hearer, reader: CommandReader, world: 
     """
     persons = [(one.name or one.id).capitalize() for one in world.objects if one.sort is Sort.PERSON]
     places = [name for one in world.objects if one.sort is Sort.PLACE for name in one.names]
-    names = frozenset(word for name in (*persons, *places) for word in spoken_words(name))
+    names = [word for name in (*persons, *places) for word in name.split()]
     alikes = SoundAlikes(reader.known, names, model_dictionary())
     return WhisperEars(ears, hearer, reader, alikes, prompt_with(persons))
