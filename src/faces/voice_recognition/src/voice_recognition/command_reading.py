@@ -14,6 +14,7 @@ from voice_recognition.spoken_language import Words, spoken_words
 from voice_recognition.voice_words import voice_words
 from world_model import World
 
+_FIRST_PERSON = frozenset(["I", "I'm", "I'd", "I'll", "I've"])
 _WORD = re.compile(r"[a-z]+(?:['-][a-z]+)*")
 #: What the pipeline would reply to a text that it carries out, and to one that it asks about first.
 _DONE, _ASKED = "DONE", "NEEDS_INFORMATION"
@@ -120,7 +121,7 @@ def words_known(knowledge: Knowledge, world: World) -> FrozenSet[str]:
     """Return the words that a robot knows, in lower case: those of its units, their examples, its names and things."""
     texts: List[str] = []
     for unit in knowledge.lexicon.units:
-        texts += [*unit.verbs, *(example.text for example in unit.examples)]
+        texts += [*unit.verbs, *(_without_names(example.text) for example in unit.examples)]
     texts += knowledge.types.names
     texts += [name for one in world.objects for name in (*one.names, one.category, one.id)]
     words = voice_words()
@@ -128,6 +129,12 @@ def words_known(knowledge: Knowledge, world: World) -> FrozenSet[str]:
     texts += [unit for units in words.measures.values() for names in units for unit in names]
     texts += [word for phrase in (*words.polite_before, *words.polite_after) for word in phrase]
     return frozenset(word for text in texts for word in _WORD.findall(text.lower().replace("_", " ")))
+
+
+def _without_names(example: str) -> str:
+    """Return an example without its names: they are those of nobody whom the robot knows."""
+    first, *rest = example.split()
+    return " ".join([first, *(word for word in rest if not word[:1].isupper() or word in _FIRST_PERSON)])
 
 
 def make_reader(pipeline: Pipeline, finder: OfferFinder, world: World) -> CommandReader:

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 from voice_recognition.whisper_model import Sentence, Transcript
@@ -40,11 +41,28 @@ class WhisperProcess:
         self._problem = "Whisper is being loaded"
         self._ready = threading.Event()
         self._may_start_at = 0.0
+        self._started_at = self._loaded_in_s = 0.0
 
     @property
     def is_ready(self) -> bool:
         """Whether it hears."""
         return self._ready.is_set()
+
+    @property
+    def loaded_in_s(self) -> float:
+        """Seconds that it took to load it; 0 as long as it does not hear."""
+        return self._loaded_in_s
+
+    @property
+    def memory_mb(self) -> int:
+        """Memory that the process holds, megabytes; 0 when nobody knows."""
+        process = self._process
+        try:
+            text = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii") if process is not None else ""
+        except OSError:
+            return 0
+        resident = next((line.split()[1] for line in text.splitlines() if line.startswith("VmRSS")), "0")
+        return int(resident) // 1000
 
     @property
     def problem(self) -> str:
@@ -103,9 +121,13 @@ class WhisperProcess:
     def _start(self) -> None:
         if self._is_closed or self._process is not None or time.monotonic() < self._may_start_at:
             return
-        self._may_start_at = time.monotonic() + RETRY_S
+        self._started_at = time.monotonic()
+        self._may_start_at = self._started_at + RETRY_S
         try:
-            process = subprocess.Popen(self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+            # Ctrl-C is for the program that owns it; the process ends with its input.
+            process = subprocess.Popen(
+                self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
+            )
         except OSError as error:
             self._problem = str(error)
             return
@@ -118,6 +140,7 @@ class WhisperProcess:
         for line in process.stdout:
             answer: Dict[str, Any] = json.loads(line)
             if answer.get("ready"):
+                self._loaded_in_s = time.monotonic() - self._started_at
                 self._ready.set()
             else:
                 self._problem = str(answer.get("error", self._problem))
@@ -151,6 +174,7 @@ class WhisperProcess:
         process, self._process = self._process, None
         self._problem = problem
         self._ready.clear()
+        self._loaded_in_s = 0.0
         if process is not None:
             process.kill()
             process.wait(timeout=ANSWER_S)

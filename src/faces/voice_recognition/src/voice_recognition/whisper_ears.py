@@ -29,7 +29,10 @@ MOST_READ, MOST_SCORED = 24, 8
 #: Names in the prompt, at most.
 MOST_NAMES = 12
 #: Whisper writes names and commands that it has just read about.
-PROMPT = "Commands to a robot: stop. Emergency stop. Go to the kitchen, turn left 90 degrees, move forward 2 metres, bring me the mug."
+PROMPT = (
+    "Commands to a robot: stop. Emergency stop. "
+    "Go to the kitchen, turn left 90 degrees, move forward 2 metres, bring me the mug."
+)
 NAMES_PROMPT = "Follow {names}."
 
 

@@ -9,6 +9,7 @@ from typing import FrozenSet, Iterator
 import numpy as np
 import pytest
 
+from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from voice_recognition import engines, whisper_model
 from voice_recognition.agreement import Verdict
@@ -55,6 +56,8 @@ class TemplateReader:
         self.known = known
 
     def read(self, text: str) -> Meaning:
+        if is_stop(text):
+            return Meaning(Sense.STOP)
         words = spoken_words(text)
         unknown = tuple(word for word in words if word not in self.known)
         offer = self._finder.find(words)
