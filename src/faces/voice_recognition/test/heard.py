@@ -18,6 +18,7 @@ import yaml
 from figures import SERVED, utterance_in
 from synthetic_speech import speech, with_noise, with_silence
 
+from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_testing.workspace import REPOSITORY
@@ -36,7 +37,10 @@ from voice_recognition.dialogue import (
 )
 from voice_recognition.ears import Ears, make_shipped_ears
 from voice_recognition.offers import Offer
+from voice_recognition.recogniser import model_dictionary
 from voice_recognition.spoken_language import grounded_frames, make_language, spoken_words
+from voice_recognition.spotting import StopSpotter
+from voice_recognition.stop_hearing import StopHearing
 from voice_recognition.whisper_client import WhisperProcess
 from voice_recognition.whisper_ears import WhisperEars, make_whisper_ears
 from world_model import World
@@ -44,6 +48,7 @@ from world_model.names import known_names
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
 
+STOPS = Path(__file__).with_name("stop_phrasings.txt")
 WORDINGS = Path(__file__).with_name("wordings.tsv")
 HOME = REPOSITORY / "src" / "simulation" / "roboframenet_sim" / "config" / "home.yaml"
 SMALL_WORLD = """
@@ -179,6 +184,18 @@ def _is_meant(offer: Offer, text: str, meant: Meaning) -> bool:
     return meant.offer is not None and offer.means_the_same(meant.offer)
 
 
+def stops(hearing: StopHearing, phrases: Sequence[str], voice: Tuple[str, str], arguments: argparse.Namespace) -> int:
+    """Return how many phrases of one voice stop the robot."""
+    found = 0
+    for number, text in enumerate(phrases):
+        pcm = said(text, voice, arguments.speed, arguments.noise, seed=number)
+        stops_it = pcm is not None and bool(hearing.stop_in(pcm))
+        found += stops_it
+        if arguments.show and stops_it != is_stop(text):
+            print(f"  {'stops' if stops_it else 'does not stop'}: {text}", flush=True)
+    return found
+
+
 def main(argv: Optional[Sequence[str]] = None) -> int:
     """Print the table; return 0."""
     parser = argparse.ArgumentParser(description="How well an engine hears wordings.")
@@ -188,6 +205,7 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--noise", type=float, help="signal-to-noise ratio, dB")
     parser.add_argument("--wordings", type=Path, default=WORDINGS)
     parser.add_argument("--every", type=int, default=1, help="only each so many-th wording")
+    parser.add_argument("--stops", action="store_true", help="count stops, and false stops of the wordings")
     parser.add_argument("--show", action="store_true", help="print what is not right")
     arguments = parser.parse_args(argv)
     whisper = WhisperProcess() if arguments.engine == "whisper" else None
@@ -200,7 +218,10 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
         spoken_to = robots(arguments.engine, whisper)
         for name in arguments.voices.split(","):
             program, _, voice = name.partition(":")
-            print(_score(arguments, spoken_to, (program, voice)).line(name), flush=True)
+            if arguments.stops:
+                _count_stops(arguments, spoken_to["turtlebot"].ears, (program, voice))
+            else:
+                print(_score(arguments, spoken_to, (program, voice)).line(name), flush=True)
     finally:
         if whisper is not None:
             whisper.close()
@@ -221,6 +242,18 @@ def _score(arguments: argparse.Namespace, spoken_to: Dict[str, Robot], voice: Tu
             offers = " / ".join(offer.text for offer in heard.offers)
             print(f"  {outcome}: {text} | {heard.verdict.value} | {offers} | {' '.join(heard.by_ngram)}", flush=True)
     return score
+
+
+def _count_stops(arguments: argparse.Namespace, ears: Union[Ears, WhisperEars], voice: Tuple[str, str]) -> None:
+    hearing = StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
+    try:
+        phrases = STOPS.read_text(encoding="utf-8").split("\n")[:-1]
+        heard = stops(hearing, phrases, voice, arguments)
+        others = [text for _, text in wordings(arguments.wordings) if not is_stop(text)][:: arguments.every]
+        false = stops(hearing, others, voice, arguments)
+        print(f"{':'.join(voice):24} stops {heard} of {len(phrases)}; false stops {false} of {len(others)}", flush=True)
+    finally:
+        hearing.close()
 
 
 if __name__ == "__main__":
