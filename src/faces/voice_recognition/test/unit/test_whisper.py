@@ -2,6 +2,7 @@
 
 import importlib.util
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 from typing import FrozenSet, Iterator
@@ -31,7 +32,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from synthetic_speech import noise_like_a_room, silence, speech, with_noise, with_silence
 
-from voice_recognition.sound import to_pcm
+from voice_recognition.sound import to_pcm, write_wav
 
 IS_INSTALLED = engines.chosen(Engine.AUTO)[0] is Engine.WHISPER
 pytestmark = pytest.mark.skipif(
@@ -184,6 +185,22 @@ def test_a_process_that_has_died_is_started_anew_and_pocketsphinx_hears_meanwhil
         assert process.hear(said("go to the office")).sentences
     finally:
         process.close()
+
+
+@needs_whisper
+def test_rfn_voice_shows_what_whisper_hears(tmp_path: Path) -> None:
+    path = tmp_path / "said.wav"
+    write_wav(str(path), said("go to the kitchen and say hello"))
+    # In a process of its own, where the models of the parser answer.
+    command = [
+        sys.executable,
+        "-c",
+        "import sys; from roboframenet_tools.cli import main; sys.exit(main(sys.argv[1:]))",
+    ]
+    done = subprocess.run([*command, "voice", str(path)], stdout=subprocess.PIPE, text=True, timeout=120, check=True)
+    assert "heard by Whisper" in done.stdout
+    assert "heard        go to the kitchen and say hello" in done.stdout
+    assert "asks: Shall I go to the kitchen and say hello?" in done.stdout
 
 
 def test_a_program_that_is_no_whisper_says_so() -> None:
