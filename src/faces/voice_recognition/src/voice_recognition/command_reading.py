@@ -73,9 +73,15 @@ class CommandReader:
             return Meaning(Sense.NONE, unknown=unknown)
         return Meaning(sense, self._offer(text, words, understood), unknown)
 
-    def in_world(self, world: World) -> "CommandReader":
-        """Return a reader that differs in what the robot knows of things, persons and places."""
-        return CommandReader(self._pipeline.in_world(world), self._finder, self.known)
+    def in_world(self, world: World, *, has_new_names: bool) -> "CommandReader":
+        """Return a reader that differs in what the robot knows of things, persons and places.
+
+        Args:
+            world: what it knows
+            has_new_names: whether their names differ, too
+        """
+        known = words_known(self._pipeline.knowledge, world) if has_new_names else self.known
+        return CommandReader(self._pipeline.in_world(world), self._finder, known)
 
     def _offer(self, text: str, words: Words, understood: Understanding) -> Offer:
         frames = [self._pipeline.knowledge.frames.get(one.unit.frame_name) for one in understood.readings]

@@ -81,7 +81,7 @@ class SpeakableCommands:
         self._new_world = message
 
     def _take_world(self) -> None:
-        """Read texts with the last world; ears are made anew only for other names."""
+        """Read texts with the last world."""
         message, self._new_world = self._new_world, None
         if message is None:
             return
@@ -89,11 +89,18 @@ class SpeakableCommands:
         with self._lock:
             are_names_new = _names(world) != _names(self._world)
             self._world = world
-            if are_names_new:
-                self._changed_at = time.monotonic()
-            elif isinstance(self._ears, WhisperEars) and self._reader is not None:
-                self._reader = self._reader.in_world(world)
-                self._ears = self._ears.reading_by(self._reader)
+        self._maker_thread.later(lambda: self._read_in(world, has_new_names=are_names_new))
+
+    def _read_in(self, world: World, *, has_new_names: bool) -> None:
+        """The searches of pocketsphinx do not change: they follow the names that the robot tells."""
+        ears = self._ears
+        if self._whisper is None or self._reader is None or not isinstance(ears, WhisperEars):
+            return
+        self._reader = self._reader.in_world(world, has_new_names=has_new_names)
+        if has_new_names:
+            self._ears = make_whisper_ears(ears.by_pocketsphinx, self._whisper, self._reader, world)
+        else:
+            ears.read_by(self._reader)
 
     def _on_lexicon(self, message: Lexicon) -> None:
         self._know(unit_files=tuple((file.path, file.text) for file in message.files))

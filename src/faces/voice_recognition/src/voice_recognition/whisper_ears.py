@@ -82,9 +82,13 @@ class WhisperEars:
         """Reads words by the templates of the language."""
         return self._ears.finder
 
-    def reading_by(self, reader: Reader) -> "WhisperEars":
-        """Return ears of a robot that knows of other things, persons and places, which have the same names."""
-        return WhisperEars(self._ears, self._hearer, reader, self._alikes, self._prompt)
+    def read_by(self, reader: Reader) -> None:
+        """Read from now on by what the robot knows of the same things, persons and places.
+
+        Args:
+            reader: knows of the same names
+        """
+        self._reader = reader
 
     @property
     def by_pocketsphinx(self) -> Ears:

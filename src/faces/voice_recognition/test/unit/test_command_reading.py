@@ -10,6 +10,8 @@ from voice_recognition.live_reader import ReaderMaker
 from voice_recognition.offers import OfferFinder
 from voice_recognition.spoken_language import SpokenLanguage
 from world_model import World
+from world_model.world import snapshot
+from world_model.world_file import load_world_file
 
 FINDER = OfferFinder(SpokenLanguage((), {}, {}))
 
@@ -44,6 +46,12 @@ def test_talk_is_nothing_and_unknown_words_are_named(reader: CommandReader) -> N
 def test_a_question_moves_nothing(reader: CommandReader) -> None:
     meaning = reader.read("Where is the mug?")
     assert meaning.offer is not None and meaning.offer.is_question
+
+
+def test_a_person_whom_the_robot_learns_of_is_no_unknown_word(reader: CommandReader) -> None:
+    world = snapshot("1", {one.id: one for one in load_world_file("persons:\n  alice: \n", "world.yaml")})
+    assert reader.in_world(world, has_new_names=True).read("Follow Alice.").unknown == ()
+    assert reader.in_world(world, has_new_names=False).read("Follow Alice.").unknown == ("alice",)
 
 
 FRAME = "name: juggling\nframe_elements:\n  - name: place\n    semantic_type: Location\n"
