@@ -74,10 +74,14 @@ def choose(candidates: Sequence[Candidate]) -> Heard:
         return replace(heard, verdict=Verdict.NOTHING)
     if meaning.sense is Sense.STOP:
         return replace(heard, verdict=Verdict.SURE, is_stop=True, by_ngram=words)
+    is_clear = per_token >= SURE_PER_TOKEN and first.share >= SURE_SHARE and first.best.is_heard
     if meaning.offer is None or meaning.sense < Sense.ASKED:
+        if is_clear:
+            # The person learns from the reply why it is not done.
+            said = Offer("", (), first.best.sentence.text.rstrip(".!?"))
+            return replace(heard, verdict=Verdict.LIKELY, offers=(said,), is_refused=True)
         return heard if meaning.sense is not Sense.NONE else replace(heard, verdict=Verdict.NOTHING)
-    is_clear = per_token >= SURE_PER_TOKEN and first.share >= SURE_SHARE
-    if is_clear and first.best.is_heard and not meaning.unknown:
+    if is_clear and not meaning.unknown:
         return replace(heard, verdict=Verdict.SURE, offers=(meaning.offer,))
     others = [
         one.best.meaning.offer

@@ -65,11 +65,19 @@ def test_unlikely_words_are_nothing() -> None:
 
 
 @pytest.mark.parametrize(
-    ("sense", "verdict"), [(Sense.NONE, Verdict.NOTHING), (Sense.REFUSED, Verdict.AGAIN), (Sense.ASKED, Verdict.SURE)]
+    ("sense", "verdict"), [(Sense.NONE, Verdict.NOTHING), (Sense.REFUSED, Verdict.AGAIN), (Sense.ASKED, Verdict.LIKELY)]
 )
 def test_what_the_robot_makes_nothing_of_is_not_offered(sense: Sense, verdict: Verdict) -> None:
-    heard = choose([candidate("turn left", -0.4, sense)])
+    heard = choose([candidate("turn left", -1.4, sense)])
     assert heard.verdict is verdict and bool(heard.offers) == (sense is Sense.ASKED)
+
+
+@pytest.mark.parametrize("sense", [Sense.NONE, Sense.REFUSED])
+def test_what_it_would_refuse_is_asked_about_where_it_is_clear_that_it_was_said(sense: Sense) -> None:
+    heard = choose([candidate("switch it on", -0.4, sense)])
+    assert heard.is_refused and heard.verdict is Verdict.LIKELY
+    assert [offer.question for offer in heard.offers] == ['I heard "switch it on". Is that right?']
+    assert not choose([candidate("switch it on", -0.4, sense, is_heard=False)]).offers
 
 
 def test_a_stop_is_a_stop() -> None:
