@@ -1,4 +1,4 @@
-"""How well an engine hears wordings that nobody tuned it to: some voices say each, to a Turtlebot or in the home.
+"""How well an engine hears wordings that were written beforehand: some voices say each, to a Turtlebot or in the home.
 
     python3 src/faces/voice_recognition/test/heard.py --engine whisper --voices flite:slt,flite:rms
 
