@@ -14,7 +14,7 @@ ONLY ?=
 browser: setup
 	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
 
-.PHONY: help setup stanza agents build demo run test acceptance reliability record format lint bench screenshots docs install clean
+.PHONY: help setup stanza agents voice build demo run test acceptance reliability record format lint bench screenshots docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -28,6 +28,9 @@ stanza: setup ## install Stanza and torch too, which 'runtime: stanza', training
 agents: setup ## install the SDK of the Model Context Protocol, so that agents can command the robot
 	@scripts/setup agents
 
+voice: setup ## install Whisper too, which hears spoken commands better than pocketsphinx
+	@scripts/setup voice
+
 build: setup ## build the workspace into devel/
 	@scripts/build
 	$(if $(filter build,$(MAKECMDGOALS)),@echo "[build] built; now 'make demo' or 'make run'")
@@ -38,7 +41,7 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2, turtlebot3 or turtlesim for another robot, VOICE=1 to talk to it)
 	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
-test: build stanza agents browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+test: build stanza agents voice browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
 acceptance: build stanza ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)

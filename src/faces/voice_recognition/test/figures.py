@@ -14,7 +14,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, TypeVar
+from typing import Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, TypeVar, Union
 from typing import Counter as CounterType
 
 from synthetic_speech import silence, speech, voices, with_noise, with_silence
@@ -24,6 +24,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_testing.workspace import REPOSITORY
 from voice_recognition.agreement import Heard, Verdict
+from voice_recognition.command_reading import make_reader
 from voice_recognition.dialogue import (
     Command,
     Confirming,
@@ -44,8 +45,14 @@ from voice_recognition.recogniser import RATE, model_dictionary
 from voice_recognition.sound import duration_s
 from voice_recognition.spoken_language import Words, grounded_frames, make_language, sentences
 from voice_recognition.spotting import LONGEST_S, StopSpotter
+from voice_recognition.whisper_client import WhisperProcess
+from voice_recognition.whisper_ears import WhisperEars, make_whisper_ears
+from world_model.world import snapshot
+from world_model.world_file import load_world_file
 
 What = TypeVar("What")
+AnyEars = Union[Ears, WhisperEars]
+Clock = Callable[[], float]
 
 SERVED = frozenset("pinging stopping waiting following moving turning saying telling speaking".split())
 ROOMS = "kitchen office garage hall lab"
@@ -84,6 +91,17 @@ def turtlebot() -> Ears:
     return make_shipped_ears(make_language(knowledge.frames, knowledge.lexicon.units, grounded, names, knowledge.types))
 
 
+def turtlebot_by_whisper(ears: Ears, whisper: WhisperProcess) -> Tuple[WhisperEars, Callable[[Words], Optional[Offer]]]:
+    """Return ears for the same Turtlebot by Whisper, and what reads words as they do."""
+    knowledge = load_knowledge([shipped_domains()])
+    for frame in SERVED:
+        knowledge.graph.register(frame, frame)
+    text = f"places: {{{': , '.join(ROOMS.split())}: }}\npersons: {{{': , '.join(PERSONS.lower().split())}: }}\n"
+    world = snapshot("1", {one.id: one for one in load_world_file(text, "world.yaml")})
+    reader = make_reader(Pipeline(knowledge), ears.finder, world)
+    return make_whisper_ears(ears, whisper, reader, world), lambda words: reader.read(" ".join(words)).offer
+
+
 def drawn(ears: Ears, count: int, seed: int) -> List[Words]:
     """Draw sentences: each example of a unit is equally likely, and each filler of its slots."""
     chance = random.Random(seed)
@@ -101,7 +119,9 @@ def utterance_in(pcm: bytes) -> Optional[bytes]:
     return max((one.pcm for one in found), key=len, default=None)
 
 
-def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tuple[Heard, float]]:
+def heard_in_time(
+    pcm: bytes, ears: AnyEars, spotter: StopSpotter, clock: Clock = time.thread_time
+) -> Optional[Tuple[Heard, float]]:
     """Return what the node hears in the longest utterance of a sound, and the seconds from its end to the question.
 
     As in the node, one thread searches for commands, and another one beside it for a stop.
@@ -123,14 +143,17 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
     with ThreadPoolExecutor(1) as beside:
         is_short = whole.end_s - whole.begin_s <= LONGEST_S
         stop = beside.submit(_search_in_time, spotter.stop_in, pauses, (end_s, whole)) if is_short else None
-        heard, at_s = _search_in_time(ears.hear, pauses, (end_s, whole))
+        heard, at_s = _search_in_time(ears.hear, pauses, (end_s, whole), clock)
         if stop is not None:
             stop.result()
     return heard, at_s - whole.end_s
 
 
 def _search_in_time(
-    hear: Callable[[bytes], What], pauses: Sequence[Tuple[float, Utterance]], end: Tuple[float, Utterance]
+    hear: Callable[[bytes], What],
+    pauses: Sequence[Tuple[float, Utterance]],
+    end: Tuple[float, Utterance],
+    clock: Clock = time.thread_time,
 ) -> Tuple[What, float]:
     """Return what a thread of searches hears, and when: when the sound comes, and the processor time of each search.
 
@@ -138,24 +161,33 @@ def _search_in_time(
         hear: a search
         pauses: what was said before each pause, and when it came
         end: the whole, and when it came
+        clock: of the time of a search
     """
     early: EarlyHearing[None, What] = EarlyHearing()
     free_s = 0.0
     for when_s, one in pauses:
-        began = time.thread_time()
+        began = clock()
         early.listen(one, None, hear)
-        free_s = max(free_s, when_s) + time.thread_time() - began
-    began = time.thread_time()
+        free_s = max(free_s, when_s) + clock() - began
+    began = clock()
     heard = early.heard(end[1], None, hear)
-    return heard, max(free_s, end[0]) + time.thread_time() - began
+    return heard, max(free_s, end[0]) + clock() - began
 
 
 class Person:
     """Says commands in one voice after the other, and answers truly."""
 
     def __init__(
-        self, ears: Ears, spotter: StopSpotter, snr_db: Optional[float], seed: int, *, is_timed: bool = True
+        self,
+        ears: AnyEars,
+        spotter: StopSpotter,
+        snr_db: Optional[float],
+        seed: int,
+        *,
+        is_timed: bool = True,
+        read: Optional[Callable[[Words], Optional[Offer]]] = None,
     ) -> None:
+        self._read = read or ears.finder.find
         self._is_timed = is_timed
         self._ears = ears
         self._spotter = spotter
@@ -175,7 +207,9 @@ class Person:
 
     def _heard(self, pcm: bytes) -> Optional[Tuple[Heard, float]]:
         if self._is_timed:
-            return heard_in_time(pcm, self._ears, self._spotter)
+            # Whisper computes in another process.
+            clock = time.thread_time if isinstance(self._ears, Ears) else time.monotonic
+            return heard_in_time(pcm, self._ears, self._spotter, clock)
         utterance = utterance_in(pcm)
         return None if utterance is None else (self._ears.hear(utterance), 0.0)
 
@@ -183,7 +217,7 @@ class Person:
         """Have a dialogue about each sentence, and count what comes of it."""
         for number, words in enumerate(said):
             voice = voices()[number % len(voices())]
-            meant = self._ears.finder.find(words)
+            meant = self._read(words)
             assert meant is not None
             found = self._heard(self._sound(" ".join(words), voice))
             if found is None:
@@ -206,7 +240,7 @@ class Person:
                     state, actions = step(state, Understood(self._ears.hear_answer(answer)), 0.0, SETTINGS)
             for action in actions:
                 if isinstance(action, Command) and action.frame not in SETTINGS.frames_without_motion:
-                    done = self._ears.finder.find(tuple(action.text.lower().split())) or _of_text(offers, action.text)
+                    done = self._read(tuple(action.text.lower().split())) or _of_text(offers, action.text)
                     count.wrong_motions += not (done is not None and done.means_the_same(meant))
 
 
@@ -269,7 +303,7 @@ def quiet(seconds: float) -> Iterator[bytes]:
         yield silence(PART_S, seed=number)
 
 
-def false_alarms(ears: Ears, spotter: StopSpotter, parts: Iterable[bytes]) -> Iterator[CounterType[str]]:
+def false_alarms(ears: AnyEars, spotter: StopSpotter, parts: Iterable[bytes]) -> Iterator[CounterType[str]]:
     """Count what a robot that always listens does with talk; nobody answers its questions. Yields after each part."""
     endpointer = Endpointer()
     counts: CounterType[str] = Counter()
@@ -279,7 +313,7 @@ def false_alarms(ears: Ears, spotter: StopSpotter, parts: Iterable[bytes]) -> It
         yield counts
 
 
-def _add_alarms(ears: Ears, spotter: StopSpotter, found: Iterable[Utterance], counts: CounterType[str]) -> None:
+def _add_alarms(ears: AnyEars, spotter: StopSpotter, found: Iterable[Utterance], counts: CounterType[str]) -> None:
     settings = DialogueSettings(always_listening=True)
     for one in found:
         counts["utterances"] += 1
@@ -323,9 +357,34 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--talk-s", type=float, default=1200.0)
     parser.add_argument("--phrases-s", type=float, default=600.0, help="of talk in phrases of at most six words")
     parser.add_argument("--silence-s", type=float, default=1200.0)
+    parser.add_argument("--engine", choices=["whisper", "pocketsphinx"], default="pocketsphinx")
     arguments = parser.parse_args(argv)
-    ears, spotter = turtlebot(), StopSpotter(model_dictionary())
-    language = ears.language
+    if arguments.engine == "pocketsphinx":
+        return table(arguments, None)
+    whisper = WhisperProcess()
+    try:
+        whisper.start()
+        if not whisper.wait_until_ready():
+            print(f"figures.py: {whisper.problem}", file=sys.stderr)
+            return 2
+        return table(arguments, whisper)
+    finally:
+        whisper.close()
+
+
+def table(arguments: argparse.Namespace, whisper: Optional[WhisperProcess]) -> int:
+    """Print the table; return 0.
+
+    Args:
+        arguments: of the command line
+        whisper: hears; None if pocketsphinx does
+    """
+    by_pocketsphinx, spotter = turtlebot(), StopSpotter(model_dictionary())
+    ears: AnyEars = by_pocketsphinx
+    read: Callable[[Words], Optional[Offer]] = by_pocketsphinx.finder.find
+    if whisper is not None:
+        ears, read = turtlebot_by_whisper(by_pocketsphinx, whisper)
+    language = by_pocketsphinx.language
     print(f"{len(language.templates)} commands, {len(language.vocabulary())} words; voices: {voices()}", flush=True)
     print("noise   said right choice again wrong  wrong motions  question p50, p95 (s)")
     for name, snr_db, size in (("none", None, arguments.sentences),) + tuple(
@@ -333,8 +392,8 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     ):
         if not size:
             continue
-        count, said = Count(), drawn(ears, size, seed=arguments.seed)
-        person = Person(ears, spotter, snr_db, seed=7, is_timed=not arguments.untimed)
+        count, said = Count(), drawn(by_pocketsphinx, size, seed=arguments.seed)
+        person = Person(ears, spotter, snr_db, seed=7, is_timed=not arguments.untimed, read=read)
         for at in range(0, size, PART):
             person.talk(said[at : at + PART], count)
             if at + PART < size:
@@ -347,7 +406,7 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
             flush=True,
         )
     if arguments.read:
-        count_read, others = read_by_pipeline(ears, arguments.read)
+        count_read, others = read_by_pipeline(by_pocketsphinx, arguments.read)
         print(f"read by the pipeline as the frame in the question: {count_read} of {arguments.read}", flush=True)
         print("".join(f"  {other}\n" for other in others), end="")
     if arguments.stops:

@@ -54,7 +54,7 @@ class DialogueSettings:
             return True
         confirm = self.confirm_frames.get(offer.frame, self.confirm)
         if confirm is Confirm.MOTION:
-            return offer.frame not in self.frames_without_motion
+            return not offer.is_question and offer.frame not in self.frames_without_motion
         return confirm is Confirm.ALWAYS
 
 
@@ -331,10 +331,10 @@ def _expired(state: State, now: float, settings: DialogueSettings) -> Step:
 def _heard_command(state: Listening, heard: Heard, now: float, settings: DialogueSettings) -> Step:
     if heard.is_stop:
         return begin(settings), (Stop(heard.is_emergency),)
+    if settings.always_listening and (heard.is_refused or heard.verdict is Verdict.NOTHING):
+        return state, ()  # talk that is not for the robot
     if heard.offers:
         return _offered(heard, now, settings)
-    if heard.verdict is Verdict.NOTHING and settings.always_listening:
-        return state, ()  # talk that is not for the robot
     return _again(state, now, settings, Say(AGAIN))
 
 

@@ -6,6 +6,7 @@ from typing import Dict, FrozenSet, Iterable, List, Mapping, Sequence, Tuple
 from semantic_frames import FileRefused, load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
+from semantic_frames.server_profile import ServerProfile
 from semantic_types import Names, WordTypes, checked_names, shipped_types
 from voice_recognition.spoken_language import SpokenLanguage, grounded_frames, make_language
 
@@ -21,6 +22,7 @@ class Knowledge:
         unit_files: of the lexicon
         frame_files: of the frame catalogue
         served: frames with a live server
+        servers: these servers: frame, topic, and what the server states
         names: what it knows, with the semantic types of each
     """
 
@@ -28,6 +30,7 @@ class Knowledge:
     frame_files: Tuple[File, ...] = ()
     served: FrozenSet[str] = frozenset()
     names: Tuple[Tuple[str, Tuple[str, ...]], ...] = ()
+    servers: Tuple[Tuple[str, str, ServerProfile], ...] = ()
 
 
 class LanguageMaker:

@@ -38,19 +38,22 @@ from voice_recognition.dialogue import (
     Understood,
 )
 from voice_recognition.early_hearing import EarlyHearing
-from voice_recognition.ears import Ears, answers
+from voice_recognition.ears import answers
 from voice_recognition.endpointing import Utterance
+from voice_recognition.engines import Engine, chosen
 from voice_recognition.offers import Offer
 from voice_recognition.recogniser import NoRecogniser, model_dictionary
 from voice_recognition.replies import ReplyEars
 from voice_recognition.ros_listener import Listener
 from voice_recognition.ros_live_speech import LiveSpeechTopics
 from voice_recognition.ros_search_thread import SearchThread
-from voice_recognition.ros_speakable import SpeakableCommands
+from voice_recognition.ros_speakable import AnyEars, SpeakableCommands
 from voice_recognition.ros_speaker import Speaker
 from voice_recognition.settings import Settings
 from voice_recognition.spoken_language import Words, spoken_words
 from voice_recognition.spotting import EMERGENCY_TEXT, STOP_TEXT, says_stop
+from voice_recognition.whisper_client import WhisperProcess
+from voice_recognition.whisper_ears import WhisperEars
 
 #: Seconds between two looks at the expiry of a state.
 TICK_S = 0.2
@@ -80,10 +83,11 @@ class VoiceRecognition:
         self._state: dialogue.State = dialogue.begin(self._rules)
         self._speakers: Dict[str, float] = {}
         self._said = ""
-        self._early: EarlyHearing[Tuple[dialogue.State, Ears], Heard] = EarlyHearing()
+        self._early: EarlyHearing[Tuple[dialogue.State, AnyEars], Heard] = EarlyHearing()
         self._reply_ears: Optional[ReplyEars] = None
         self._commands = SearchThread("commands")
-        self._speakable = SpeakableCommands(self._commands)
+        self._whisper = _whisper(settings.engine)
+        self._speakable = SpeakableCommands(self._commands, self._whisper)
         self._question = rospy.Publisher("voice_question", String, queue_size=1, latch=True)
         self._state_publisher = rospy.Publisher("voice_state", String, queue_size=1, latch=True)
         self._heard = rospy.Publisher("voice_heard", String, queue_size=10)
@@ -99,6 +103,7 @@ class VoiceRecognition:
             on_stop=self._on_stop,
             on_pause=self._on_pause,
             on_utterance=self._on_utterance,
+            stop_by_whisper=self._stop_by_whisper if self._whisper is not None else None,
         )
         self._subscribers = [
             rospy.Subscriber("speaking", Bool, self._on_speaking, queue_size=10),
@@ -255,7 +260,7 @@ class VoiceRecognition:
             how, hear = searches
             self._commands.later(lambda: self._early.listen(utterance, how, hear))
 
-    def _searches(self) -> Optional[Tuple[Tuple[dialogue.State, Ears], Callable[[bytes], Heard]]]:
+    def _searches(self) -> Optional[Tuple[Tuple[dialogue.State, AnyEars], Callable[[bytes], Heard]]]:
         """Return what a sound is heard for now, and the searches; None when nothing but a stop is heard."""
         ears, state = self._speakable.ears, self._state
         if ears is None or not dialogue.hears(state):
@@ -263,11 +268,16 @@ class VoiceRecognition:
         hear = ears.hear_answer if isinstance(state, Confirming) else ears.hear
         replies = self._reply_ears
         if isinstance(state, Replying) and replies is not None:
-            hear = functools.partial(replies.hear, commands=ears)
+            hear = _reply_search(replies, ears)
         return (state, ears), hear
 
+    def _stop_by_whisper(self, pcm: bytes) -> Optional[str]:
+        """Return the stop that Whisper hears; empty for none, None if it cannot tell."""
+        ears = self._speakable.ears
+        return ears.hear_stop(pcm) if isinstance(ears, WhisperEars) else None
+
     def _understand(
-        self, utterance: Utterance, how: Tuple[dialogue.State, Ears], hear: Callable[[bytes], Heard]
+        self, utterance: Utterance, how: Tuple[dialogue.State, AnyEars], hear: Callable[[bytes], Heard]
     ) -> None:
         began = time.monotonic()
         heard = self._early.heard(utterance, how, hear)
@@ -300,6 +310,29 @@ class VoiceRecognition:
                 # Not in the language: the pipeline may read it, so the words are offered in place of a frame.
                 heard = Heard(Verdict.LIKELY, (Offer("", (), sentence),), words, answer=answer)
             self._happened(Understood(heard))
+
+
+def _whisper(wished: Engine) -> Optional[WhisperProcess]:
+    """Load Whisper in the background, if it is to hear; say which recogniser hears, and why."""
+    engine, reason = chosen(wished)
+    if reason:
+        (rospy.logerr if wished is Engine.WHISPER else rospy.loginfo)("hears by pocketsphinx: %s", reason)
+    else:
+        rospy.loginfo("hears by %s", engine.value)
+    if engine is not Engine.WHISPER:
+        return None
+    whisper = WhisperProcess()
+    rospy.on_shutdown(whisper.close)
+    whisper.start()
+    return whisper
+
+
+def _reply_search(replies: ReplyEars, ears: AnyEars) -> Callable[[bytes], Heard]:
+    """Return the search for the answer to a question of the pipeline."""
+    if not isinstance(ears, WhisperEars):
+        return functools.partial(replies.hear, commands=ears)
+    by_pocketsphinx = functools.partial(replies.hear, commands=ears.by_pocketsphinx)
+    return functools.partial(ears.hear_one_of, ways=replies.ways, otherwise=by_pocketsphinx)
 
 
 def main() -> None:

@@ -16,12 +16,14 @@ class Offer:
         elements: names and arguments, sorted by name
         text: the command in writing, for the pipeline: "turn left 120 degrees"
         deed: the frame in the words of the robot, "turn left 120 degrees"; empty when it has no words for it
+        is_question: whether the robot answers, and does nothing else
     """
 
     frame: str
     elements: Tuple[Tuple[str, str], ...]
     text: str
     deed: str = ""
+    is_question: bool = False
 
     @property
     def question(self) -> str:
@@ -107,7 +109,7 @@ class OfferFinder:
                 and {slot.elements for slot in template.slots} == set(written)
                 and dict(template.fixed) == dict(said.fixed)
             ):
-                return _of_other_person(_write(template, written))
+                return of_other_person(_write(template, written))
         return ""
 
 
@@ -115,7 +117,7 @@ def _write(template: Template, written: Mapping[Tuple[str, ...], str]) -> str:
     return " ".join(part if isinstance(part, str) else written[part.elements] for part in template.parts)
 
 
-def _of_other_person(text: str) -> str:
+def of_other_person(text: str) -> str:
     """Return a command as the robot says it: "follow me" is "follow you"."""
     other = voice_words().other_person
     return " ".join(other.get(word.lower(), word) for word in text.split())

@@ -13,6 +13,7 @@ from voice_recognition.recogniser import NoRecogniser, model_dictionary
 from voice_recognition.ros_search_thread import SearchThread
 from voice_recognition.settings import Settings
 from voice_recognition.spotting import LONGEST_S, StopSpotter
+from voice_recognition.stop_hearing import OtherOpinion, StopHearing
 
 #: Seconds before the microphone is tried again.
 RETRY_S = 10.0
@@ -30,6 +31,7 @@ class Listener:
         on_stop: Callable[[str], None],
         on_pause: Callable[[Utterance], None],
         on_utterance: Callable[[Utterance], None],
+        stop_by_whisper: Optional[OtherOpinion],
     ) -> None:
         """
         Args:
@@ -39,7 +41,9 @@ class Listener:
             on_stop: called with a stop that was heard
             on_pause: called when an utterance may have ended
             on_utterance: called when it has
+            stop_by_whisper: the stop that Whisper hears; None if pocketsphinx alone hears
         """
+        self._stop_by_whisper = stop_by_whisper
         self._settings = settings
         self._is_robot_speaking, self._may_robot_say_stop = is_robot_speaking, may_robot_say_stop
         self._on_stop, self._on_pause, self._on_utterance = on_stop, on_pause, on_utterance
@@ -70,6 +74,7 @@ class Listener:
         except (NoRecogniser, OSError) as reason:
             rospy.logwarn("%s", reason)
             return False
+        hearing = StopHearing(spotter, self._stop_by_whisper)
         endpointer = Endpointer()
         has_sound = False
         try:
@@ -83,14 +88,15 @@ class Listener:
                     self._stops.later(lambda part=part: self._look_for_stop(spotter, part))
                 for utterance in endpointer.feed(part):
                     if self._may_be_stop(utterance):
-                        self._stops.later(lambda utterance=utterance: self._check_for_stop(spotter, utterance))
+                        self._stops.later(lambda utterance=utterance: self._check_for_stop(hearing, utterance))
                     self._on_utterance(utterance)
                 pause = endpointer.take_pause()
                 if pause is not None:
-                    self._search_early(spotter, pause)
+                    self._search_early(hearing, pause)
                     self._on_pause(pause)
         finally:
             microphone.close()
+            hearing.close()
         return has_sound
 
     def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
@@ -98,13 +104,13 @@ class Listener:
         if not self._is_robot_speaking() or self._pass_on_stop(spotter.stop_in_stream(part)):
             spotter.forget_stream()
 
-    def _search_early(self, spotter: StopSpotter, utterance: Utterance) -> None:
+    def _search_early(self, hearing: StopHearing, utterance: Utterance) -> None:
         """Look for a stop in what may be a whole utterance; it counts if nobody speaks on."""
         if self._may_be_stop(utterance):
-            self._stops.later(lambda: self._early_stop.listen(utterance, None, spotter.stop_in))
+            self._stops.later(lambda: self._early_stop.listen(utterance, None, hearing.stop_in))
 
-    def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        self._pass_on_stop(self._early_stop.heard(utterance, None, spotter.stop_in))
+    def _check_for_stop(self, hearing: StopHearing, utterance: Utterance) -> None:
+        self._pass_on_stop(self._early_stop.heard(utterance, None, hearing.stop_in))
 
     def _pass_on_stop(self, text: Optional[str]) -> bool:
         """Pass on the stop that was heard, empty for none; returns whether there was one."""

@@ -6,6 +6,7 @@ from typing import Dict, Mapping, Tuple
 
 from roboframenet_ros.parameters import Parameters, parameter
 from voice_recognition.dialogue import Confirm, DialogueSettings
+from voice_recognition.engines import Engine
 
 
 class Listening(enum.Enum):
@@ -20,6 +21,7 @@ class Settings(Parameters):
     """Private parameters, checked.
 
     Attributes:
+        engine: the recogniser: ``whisper``, ``pocketsphinx``, or ``auto`` for Whisper where it is installed
         microphone: program that writes sound (16 kHz, 16 bit, mono) and its arguments; empty for arecord
         device: of ALSA, for arecord; empty for the default one
         listening: ``push`` (only after a push to talk, and for answers) or ``always``
@@ -35,6 +37,7 @@ class Settings(Parameters):
         ParameterError: a value of another type, out of its range, or not among the choices
     """
 
+    engine: Engine = parameter(Engine.AUTO)
     microphone: Tuple[str, ...] = parameter(())
     device: str = parameter("")
     listening: Listening = parameter(Listening.PUSH, is_live=True)

@@ -2,6 +2,7 @@
 
 import re
 from collections import deque
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Deque, FrozenSet, Tuple
 
@@ -13,7 +14,7 @@ from voice_recognition.class_ngram import write_ngram
 from voice_recognition.denoising import without_noise
 from voice_recognition.endpointing import FRAME_S, EndpointSettings
 from voice_recognition.pronunciation import Dictionary, pronounce
-from voice_recognition.recogniser import RATE, PocketSphinx
+from voice_recognition.recogniser import RATE, Hypothesis, PocketSphinx
 from voice_recognition.sound import speech_level_db, to_samples
 from voice_recognition.spoken_language import Words
 from voice_recognition.voice_words import voice_words
@@ -40,6 +41,9 @@ WINDOW_S, PERIOD_S = 1.5, 0.5
 FEWEST_SOUNDS, MOST_SOUNDS = 2, 3
 #: Share of the words of talk and of these in that search.
 ANY_OTHER_SHARE = 0.9
+#: A clear stop with such a score for each frame of it was never anything else in the recordings that this was set by:
+#: stops had -15 to -34 there, "follow Bob" and the like that were taken for one had -42 and less.
+CERTAIN_PER_FRAME = -36.0
 _SEARCH, _CLEAR_SEARCH, _ANY_WORD_SEARCH = "stop", "clear_stop", "any_word"
 #: Share of the frames of an utterance that are taken for the noise around it, and for its loudest part, percent.
 _QUIET_SHARE, _LOUD_SHARE = 15, 95
@@ -50,6 +54,19 @@ _NEGATIONS = word_class("negations")
 _EMERGENCY = "emergency"
 #: What the robot is told.
 STOP_TEXT, EMERGENCY_TEXT = "Stop.", "Emergency stop."
+
+
+@dataclass(frozen=True)
+class FoundStop:
+    """A stop that the searches found.
+
+    Attributes:
+        text: what the robot is told; empty for none
+        is_certain: whether it sounds like a stop so much that nothing else was meant
+    """
+
+    text: str = ""
+    is_certain: bool = False
 
 
 class StopSpotter:
@@ -83,32 +100,38 @@ class StopSpotter:
 
     def stop_in(self, pcm: bytes) -> str:
         """Return the stop that an utterance is; empty for none. It is none with more than ``LONGEST_S`` of speech."""
+        return self.find_stop(pcm).text
+
+    def find_stop(self, pcm: bytes) -> FoundStop:
+        """Return the stop that an utterance is, and whether it sounds like nothing else."""
         clearness_db, spoken_s = clearness_and_length(pcm)
         if spoken_s > LONGEST_S:
-            return ""
+            return FoundStop()
         if spoken_s > SLOWEST_S + SLOWEST_WORD_S * MOST_WORDS:
             # In the search for noise, stops are so likely that some seconds of talk may be nothing else.
             words = self._recogniser.hear(_CLEAR_SEARCH, without_noise(pcm)).words
-            return stop_text(words) if is_repeated_stop(words, spoken_s) else ""
+            return FoundStop(stop_text(words), is_certain=True) if is_repeated_stop(words, spoken_s) else FoundStop()
         if clearness_db >= CLEAR_DB:
+            found = Hypothesis(())
             for search in (_CLEAR_SEARCH, _ANY_WORD_SEARCH):
-                words = self._words(search, pcm, spoken_s)
-                if not is_clear_stop(words):
-                    return ""
-            return stop_text(words)
+                found = self._heard(search, pcm, spoken_s)
+                if not is_clear_stop(found.words):
+                    return FoundStop()
+            return FoundStop(stop_text(found.words), found.score >= CERTAIN_PER_FRAME * max(1, found.frames))
         # What is before and behind a word in noise is sometimes heard as a part of it.
         closer = pcm[_bytes(BEFORE_S) : len(pcm) - _bytes(BEHIND_S)]
         for part in filter(None, (pcm, closer)):
-            words = self._words(_SEARCH, part, spoken_s)
+            words = self._heard(_SEARCH, part, spoken_s).words
             if is_heard_stop(words):
-                return stop_text(words)
-        return ""
+                return FoundStop(stop_text(words))
+        return FoundStop()
 
-    def _words(self, search: str, pcm: bytes, spoken_s: float) -> Words:
+    def _heard(self, search: str, pcm: bytes, spoken_s: float) -> Hypothesis:
         """Return what a search hears; nothing if there are too many words for a stop, or too few for their time."""
-        words = self._recogniser.hear(search, without_noise(pcm)).words
-        is_likely = len(words) <= MOST_WORDS and spoken_s <= SLOWEST_S + SLOWEST_WORD_S * len(words)
-        return words if is_likely else ()
+        found = self._recogniser.hear(search, without_noise(pcm))
+        count = len(found.words)
+        is_likely = count <= MOST_WORDS and spoken_s <= SLOWEST_S + SLOWEST_WORD_S * count
+        return found if is_likely else Hypothesis(())
 
     def stop_in_stream(self, part: bytes) -> str:
         """Take the next part of the stream while the robot speaks; return the stop that its last seconds are."""

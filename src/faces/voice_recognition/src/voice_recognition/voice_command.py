@@ -3,16 +3,24 @@
 import argparse
 import json
 import sys
-from typing import Dict, FrozenSet, List, Tuple
+from contextlib import contextmanager
+from typing import Dict, FrozenSet, Iterator, List, Tuple, Union
 
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains, with_names
+from offline_pipeline.pipeline import Pipeline
+from stanford_parser_ros.inference import ModelError
 from voice_recognition.agreement import Heard
+from voice_recognition.command_reading import make_reader
 from voice_recognition.dialogue import Confirm, DialogueSettings
 from voice_recognition.ears import Ears, make_shipped_ears
 from voice_recognition.endpointing import Endpointer, Utterance
+from voice_recognition.engines import Engine, chosen
 from voice_recognition.recogniser import NoRecogniser
 from voice_recognition.sound import UnreadableSound, duration_s, read_wav
 from voice_recognition.spoken_language import grounded_frames, make_language
+from voice_recognition.whisper_client import WhisperProcess
+from voice_recognition.whisper_ears import WhisperEars, make_whisper_ears
+from world_model import World
 
 EXAMPLES = """examples:
   espeak-ng -w said.wav "Turn left ninety degrees." && rfn voice said.wav
@@ -31,6 +39,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--names", action="append", default=[], metavar="FILE", help="names that the robot knows")
     parser.add_argument("--frames", default="", metavar="NAMES", help="frames with a server (default: every frame)")
     parser.add_argument("--confirm", choices=[one.value for one in Confirm], default=Confirm.MOTION.value)
+    parser.add_argument(
+        "--engine",
+        choices=[one.value for one in Engine],
+        default=Engine.AUTO.value,
+        help="what hears (default: Whisper where it is installed, otherwise pocketsphinx)",
+    )
     parser.add_argument("--json", action="store_true", help="one JSON object")
 
 
@@ -44,18 +58,42 @@ def run(arguments: argparse.Namespace) -> int:
         if unknown:
             print(f"rfn voice: unknown frames: {', '.join(unknown)}", file=sys.stderr)
             return 2
-        ears = ears_of(knowledge, served)
-    except (UnreadableSound, NoRecogniser) as reason:
-        print(f"rfn voice: {reason}", file=sys.stderr)
+        by_pocketsphinx = ears_of(knowledge, served)
+        engine, reason = chosen(Engine(arguments.engine))
+        if reason and arguments.engine == Engine.WHISPER.value:
+            raise NoRecogniser(reason)
+        with _ears(engine, knowledge, served, by_pocketsphinx) as ears:
+            heard = [(utterance, ears.hear(utterance.pcm)) for utterance in utterances_of(pcm)]
+    except (UnreadableSound, NoRecogniser, ModelError) as problem:
+        print(f"rfn voice: {problem}", file=sys.stderr)
         return 2
-    heard = [(utterance, ears.hear(utterance.pcm)) for utterance in utterances_of(pcm)]
     settings = DialogueSettings(confirm=Confirm(arguments.confirm))
     if arguments.json:
         json.dump([as_data(utterance, what, settings) for utterance, what in heard], sys.stdout, indent=2)
         print()
     else:
-        print("\n".join(report(ears, duration_s(pcm), heard, settings)))
+        print("\n".join(report(by_pocketsphinx, engine, duration_s(pcm), heard, settings)))
     return 0 if any(what.offers or what.is_stop for _, what in heard) else 1
+
+
+@contextmanager
+def _ears(
+    engine: Engine, knowledge: Knowledge, served: FrozenSet[str], by_pocketsphinx: Ears
+) -> Iterator[Union[Ears, WhisperEars]]:
+    """Have the ears of an engine; Whisper's process ends with the context."""
+    if engine is not Engine.WHISPER:
+        yield by_pocketsphinx
+        return
+    for frame in served:
+        knowledge.graph.register(frame, frame)
+    whisper = WhisperProcess()
+    try:
+        if not whisper.wait_until_ready():
+            raise NoRecogniser(whisper.problem)
+        reader = make_reader(Pipeline(knowledge), by_pocketsphinx.finder, World())
+        yield make_whisper_ears(by_pocketsphinx, whisper, reader, World())
+    finally:
+        whisper.close()
 
 
 def ears_of(knowledge: Knowledge, served: FrozenSet[str]) -> Ears:
@@ -80,11 +118,15 @@ def utterances_of(pcm: bytes) -> Tuple[Utterance, ...]:
     return endpointer.feed(pcm) + endpointer.finish()
 
 
-def report(ears: Ears, seconds: float, heard: List[Tuple[Utterance, Heard]], settings: DialogueSettings) -> List[str]:
+def report(
+    ears: Ears, engine: Engine, seconds: float, heard: List[Tuple[Utterance, Heard]], settings: DialogueSettings
+) -> List[str]:
     """Return the lines about what was heard."""
     language = ears.language
-    lines = [f"{seconds:.1f} s of sound; {len(language.templates)} commands, {len(language.vocabulary())} words"]
-    if ears.unpronounceable:
+    known = f"{len(language.templates)} commands, {len(language.vocabulary())} words"
+    is_whisper = engine is Engine.WHISPER
+    lines = [f"{seconds:.1f} s of sound; {'heard by Whisper' if is_whisper else known}"]
+    if not is_whisper and ears.unpronounceable:
         lines.append(f"words that cannot be heard: {', '.join(sorted(ears.unpronounceable))}")
     if not heard:
         lines.append("nobody speaks")
@@ -93,8 +135,8 @@ def report(ears: Ears, seconds: float, heard: List[Tuple[Utterance, Heard]], set
         lines += [
             "",
             f"{utterance.begin_s:.2f} to {utterance.end_s:.2f} s{cut}",
-            f"  by grammar   {' '.join(what.by_grammar) or '(nothing)'}",
-            f"  by n-gram    {' '.join(what.by_ngram) or '(nothing)'}",
+            f"  {'chosen    ' if is_whisper else 'by grammar'}   {' '.join(what.by_grammar) or '(nothing)'}",
+            f"  {'heard    ' if is_whisper else 'by n-gram'}    {' '.join(what.by_ngram) or '(nothing)'}",
             f"  verdict      {what.verdict.value}",
         ]
         if what.is_stop:

@@ -73,12 +73,12 @@ def test_rfn_voice_says_what_is_heard_and_why(tmp_path, capsys) -> None:
 
     path = str(tmp_path / "said.wav")
     write_wav(path, with_silence(speech("move forward three feet")))
-    assert main(["voice", path, "--frames", "moving,turning"]) == 0
+    assert main(["voice", path, "--frames", "moving,turning", "--engine", "pocketsphinx"]) == 0
     printed = capsys.readouterr().out
     assert "verdict      sure" in printed
     assert "Shall I move forward 3 feet?" in printed
     write_wav(path, silence(2.0))
-    assert main(["voice", path, "--frames", "moving"]) == 1
+    assert main(["voice", path, "--frames", "moving", "--engine", "pocketsphinx"]) == 1
     assert "nobody speaks" in capsys.readouterr().out
     assert main(["voice", str(tmp_path / "missing.wav")]) == 2
     assert main(["voice", path, "--frames", "flying"]) == 2

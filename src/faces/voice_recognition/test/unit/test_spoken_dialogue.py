@@ -61,6 +61,14 @@ def test_a_motion_is_asked_about_and_begins_with_a_yes() -> None:
     assert state == Waiting()
 
 
+def test_what_would_be_refused_is_asked_about_but_not_of_talk() -> None:
+    refused = Heard(Verdict.LIKELY, (Offer("", (), "fly to the moon"),), is_refused=True)
+    _, done = run([Pushed(), *spoken(refused)])
+    assert done == [Say('I heard "fly to the moon". Is that right?', is_question=True)]
+    _, done = run(spoken(refused), DialogueSettings(always_listening=True))
+    assert done == []
+
+
 def test_no_ends_the_question() -> None:
     state, done = run([Pushed(), *spoken(SURE), *spoken(Heard(Verdict.SURE, answer="no"))])
     assert done[1:] == [Say(dialogue.ALL_RIGHT)] and state == Waiting()

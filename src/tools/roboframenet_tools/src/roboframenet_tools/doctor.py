@@ -12,6 +12,8 @@ from stanford_parser_ros.inference import JOINT, ModelError, shipped_model_dir
 from stanford_parser_ros.joint.model_folder import read_joint_folder
 from stanford_parser_ros.words.word_folder import read_word_folder
 from stanford_parser_ros.words.words import FOLDER
+from voice_recognition.engines import Engine, chosen
+from voice_recognition.whisper_client import WhisperProcess
 
 EXAMPLES = """examples:
   rfn doctor
@@ -41,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the findings; return the exit status."""
-    findings = [interpreter(), library("onnxruntime"), library("rospy"), models(), host_name(), agents()]
+    findings = [interpreter(), library("onnxruntime"), library("rospy"), models(), host_name(), agents(), voice()]
     if not arguments.no_master:
         try:
             from roboframenet_tools.ros_doctor import graph_findings
@@ -98,6 +100,27 @@ def agents(version: Tuple[int, ...] = sys.version_info[:3], sdk: str = "mcp") ->
     if importlib.util.find_spec(sdk) is None:
         return Finding("agents", "the SDK of agent_server is not installed ('make agents' installs it)")
     return Finding("agents", "agent_server can run")
+
+
+def voice(wished: Engine = Engine.AUTO) -> Finding:
+    """Tell which recogniser hears what is said, how long it takes to load it, and how much memory it holds.
+
+    Args:
+        wished: as the parameter `engine` of voice_recognition
+    """
+    engine, reason = chosen(wished)
+    if engine is not Engine.WHISPER:
+        return Finding("voice", "pocketsphinx hears" + (f"; {reason}" if reason else ""))
+    whisper = WhisperProcess()
+    try:
+        whisper.start()
+        if not whisper.wait_until_ready():
+            return Finding(
+                "voice", f"Whisper does not hear: {whisper.problem}", "launch with voice_engine:=pocketsphinx"
+            )
+        return Finding("voice", f"Whisper hears: loaded in {whisper.loaded_in_s:.1f} s, {whisper.memory_mb} MB")
+    finally:
+        whisper.close()
 
 
 def host_name() -> Finding:

@@ -1,5 +1,6 @@
 """Checking, counting, drawing and making files."""
 
+import re
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -18,6 +19,8 @@ from roboframenet_tools.registrations import Registered, registration_findings
 from roboframenet_tools.verb_forms import verb_of
 from semantic_frames import load_frame
 from semantic_frames.server_profile import Purpose, ServerProfile
+from voice_recognition import whisper_model
+from voice_recognition.engines import Engine, chosen
 
 
 def write(folder, name, text):
@@ -216,6 +219,15 @@ def test_doctor_tells_whether_agents_can_command_the_robot():
     assert "make agents" in str(doctor.agents((3, 11, 2), "no_such_sdk"))
     assert str(doctor.agents((3, 11, 2), "json")).endswith("agent_server can run")
     assert not any(doctor.agents(version, "no_such_sdk").advice for version in ((3, 8), (3, 11)))
+
+
+def test_doctor_tells_which_recogniser_hears(monkeypatch):
+    assert str(doctor.voice(Engine.POCKETSPHINX)).endswith("pocketsphinx hears")
+    if chosen(Engine.AUTO)[0] is Engine.WHISPER:
+        assert re.search(r"Whisper hears: loaded in \d+\.\d s, [1-9]\d+ MB", str(doctor.voice()))
+    monkeypatch.setattr(whisper_model, "PACKAGE", "no_such_package")
+    finding = doctor.voice()
+    assert "no_such_package" in str(finding) and "make voice" in str(finding) and not finding.advice
 
 
 def test_doctor_sees_servers_of_unknown_frames_and_dead_ones():
