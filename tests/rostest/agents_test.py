@@ -226,6 +226,8 @@ class TestAgents(unittest.TestCase):
                     result = told(await client.call_tool(name, arguments, progress_callback=on_progress))
                     self.assertEqual(result["outcome"], "DONE", f"{name} {arguments}: {result}")
                     self.assertTrue(progress, name)
+                    # This test may hear the reply after the agent.
+                    wait_until(lambda told=result: self.replies_to(told["command_id"]), message=name)
                     ends = self.replies_to(result["command_id"])
                     self.assertEqual([reply.sentence for reply in ends], [result["sentence"]], name)
                 deeds = told(await client.call_tool("deeds", {"most": 100}))["deeds"]
