@@ -74,7 +74,9 @@ class DeadServersTest(ExecutorCase):
     def test_likelier_reading_comes_first_although_its_server_is_missing(self):
         both = clause("do it", [[frame("succeed", "nowhere")], [frame("succeed", "two")]])
         both.candidates[1].preference = 1
-        self.assert_reply(self.send_nodes([both]), Reply.DONE, "DONE", "the program for it is not running: no answer within")
+        self.assert_reply(
+            self.send_nodes([both]), Reply.DONE, "DONE", "the program for it is not running: no answer within"
+        )
 
     def test_all_that_are_missing_are_waited_for_once(self):
         ways = [[frame("succeed", f"absent_{number}")] for number in range(6)]
