@@ -3,6 +3,7 @@
 import contextlib
 import os
 import sqlite3
+import time
 from pathlib import Path
 from typing import Callable, Iterator, Sequence, Tuple
 
@@ -10,6 +11,8 @@ from roboframenet_ros.unreadable_file import set_aside
 
 #: How long to wait for a lock of another process, seconds.
 _LOCK_TIMEOUT_S = 5.0
+#: Between two tries where SQLite does not wait itself, seconds.
+_RETRY_S = 0.02
 
 
 class StoreError(RuntimeError):
@@ -66,7 +69,7 @@ class SqliteFile:
             self.path, timeout=_LOCK_TIMEOUT_S, isolation_level=None, check_same_thread=False
         )
         try:
-            self.connection.execute("PRAGMA journal_mode=WAL").fetchall()
+            self._write_ahead()
             self.connection.execute(f"PRAGMA synchronous={self._level}")
             (verdict,) = self.connection.execute("PRAGMA quick_check(1)").fetchone()
             (schema,) = self.connection.execute("PRAGMA user_version").fetchone()
@@ -81,6 +84,18 @@ class SqliteFile:
         except sqlite3.Error:
             self.connection.close()
             raise
+
+    def _write_ahead(self) -> None:
+        """Keep changes in a journal of their own. SQLite does not wait for others that ask for it at the same time."""
+        end_s = time.monotonic() + _LOCK_TIMEOUT_S
+        while True:
+            try:
+                self.connection.execute("PRAGMA journal_mode=WAL").fetchall()
+                return
+            except sqlite3.OperationalError as error:
+                if "locked" not in str(error) or time.monotonic() >= end_s:
+                    raise
+            time.sleep(_RETRY_S)
 
     def left_over(self, query: str) -> Iterator[Sequence[object]]:
         """Yield the rows of the file that was set aside, as far as they can be read; none of another format.
