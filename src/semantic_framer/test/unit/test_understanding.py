@@ -5,7 +5,7 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood
+from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
 
 
 def frames_of(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
@@ -409,3 +409,9 @@ def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:
 def test_a_number_is_no_device(understand: Any, text: str) -> None:
     outcome = understand(text)[0]
     assert isinstance(outcome, Question) and "left or right" in outcome.sentence
+
+
+def test_unit_whose_frame_is_missing_says_nothing_of_a_state(parser: Any, lexicon: Any, frames: Any) -> None:
+    others = {name: frame for name, frame in frames.items() if name != "docking"}
+    for text in ("Are you docked?", "If you are docked, say hello.", "Go to the cup that you saw."):
+        read(parser.parse(text, lexicon.verbs), lexicon, others)

@@ -46,8 +46,8 @@ def of_own_deed(sentence: Sentence, features: ClauseFeatures, known: FramedLexic
     if not features.is_passive or features.agent or features.modal or features.aspect is not Aspect.PRESENT:
         return features
     subjects = [child for child in sentence.children(features.top) if child.deprel == "nsubj:pass"]
-    units = known.lexicon.units_of(sentence.word(features.top).lemma.lower(), known.frames)
-    acting = [unit for unit in units if known.frames[unit.frame_name].acts]
+    units = known.units_of(sentence.word(features.top).lemma.lower())
+    acting = [unit for unit in units if unit.frame_name in known.frames and known.frames[unit.frame_name].acts]
     has_object = any(
         path.steps[0] in _OBJECTS for unit in acting for relation in unit.relations for path in relation.relations
     )

@@ -174,8 +174,8 @@ def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
         if not (is_of_robot and is_over and match_verbs(sentence.tree, clause, known)):
             continue
         # What it saw, it may see again; "the person whom you met" is in its log.
-        frames = [known.frames[unit.frame_name] for unit in known.lexicon.events.units_of(clause.lemma)]
-        is_seen = any(frame.framenet == _SEEING for frame in frames)
+        frames = [known.frames.get(unit.frame_name) for unit in known.lexicon.events.units_of(clause.lemma)]
+        is_seen = any(frame is not None and frame.framenet == _SEEING for frame in frames)
         if not is_seen or DeedClause(case, clause.verb, features).deed() is not None:
             return sentence.text(sorted(sentence.subtree(clause.verb)))
     return ""
