@@ -38,14 +38,12 @@ LANGUAGE = (
 ).split()
 #: Classes of more lines, to be divided. This list only gets shorter.
 LONG_CLASSES = {
-    "phrase_meanings: Phrases",
     "semantic_framer: SemanticFramer",
     "semantic_framer: _Amending",
     "semantic_framer: _Builder",
     "semantic_framer: _Check",
     "semantic_framer: _Filling",
     "semantic_framer: _Finder",
-    "utterance_passes: _Quotation",
 }
 
 

@@ -154,7 +154,7 @@ class Phrases:
             for child in children
             if child.deprel in ("nmod", "nmod:of", "nmod:unmarked", "obl", "acl", "acl:relcl")
         ]
-        inner += [tree.word(index) for index in self._attached_heads(attached, own)]
+        inner += [tree.word(index) for index in _attached_heads(tree, attached, own)]
         by_relation = [(child, first_preposition(tree, child.index)) for child in inner if child.index != noun]
         complement = next(
             (child for child, prep in by_relation if prep == "of" and child.deprel.startswith("nmod")), None
@@ -219,7 +219,7 @@ class Phrases:
         groups[-1] |= attached
         found = []
         for member, group in zip([head] + conjuncts, groups):
-            words = [index for index in sorted(group) if not self._is_of_the_list(index, head)]
+            words = [index for index in sorted(group) if not _is_of_the_list(tree, index, head)]
             prepositions = _prepositions(tree, member)
             extent = _Extent(tuple(words), prepositions & frozenset(words))
             if not extent.bare:
@@ -241,25 +241,6 @@ class Phrases:
             semantic_type=self._semantic_type(head),
             modifiers=modifiers(tree, head, [described], frozenset(member.positions)) + member.modifiers,
         )
-
-    def _is_of_the_list(self, index: int, head: int) -> bool:
-        """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate", "*then* the
-        plate", "*also* the plate".
-        """
-        word = self._tree.word(index)
-        is_order = word.upos == "ADV" and word.form.lower() in _ORDER
-        # "Both mugs and the plate": there are two mugs.
-        is_before = index < head and word.form.lower() in _BEFORE_LISTS and not is_plural(self._tree.word(head))
-        return word.upos == "PUNCT" or word.deprel == "cc" or is_before or is_order
-
-    def _attached_heads(self, attached: FrozenSet[int], own: FrozenSet[int]) -> List[int]:
-        """Return the heads of phrases that belong to the noun although the tree attaches them to the verb."""
-        tree = self._tree
-        return [
-            index
-            for index in sorted(attached & own)
-            if tree.word(index).head not in own and tree.word(index).upos in ("NOUN", "PROPN", "PRON")
-        ]
 
     def _description(
         self, child: Word, preposition: str, left_out: FrozenSet[int], own: FrozenSet[int]
@@ -324,6 +305,26 @@ class Phrases:
             and child.index in own
             and first_preposition(tree, child.index) in _PLACE_PREPOSITIONS
         )[:1]
+
+
+def _is_of_the_list(tree: DependencyTree, index: int, head: int) -> bool:
+    """Whether a word belongs to no member of a list: a comma, "and", "*both* the cup and the plate", "*then* the
+    plate", "*also* the plate".
+    """
+    word = tree.word(index)
+    is_order = word.upos == "ADV" and word.form.lower() in _ORDER
+    # "Both mugs and the plate": there are two mugs.
+    is_before = index < head and word.form.lower() in _BEFORE_LISTS and not is_plural(tree.word(head))
+    return word.upos == "PUNCT" or word.deprel == "cc" or is_before or is_order
+
+
+def _attached_heads(tree: DependencyTree, attached: FrozenSet[int], own: FrozenSet[int]) -> List[int]:
+    """Return the heads of phrases that belong to the noun although the tree attaches them to the verb."""
+    return [
+        index
+        for index in sorted(attached & own)
+        if tree.word(index).head not in own and tree.word(index).upos in ("NOUN", "PROPN", "PRON")
+    ]
 
 
 def _of_kind_of(first: TypedArgument, member: TypedArgument) -> TypedArgument:
