@@ -1,6 +1,5 @@
 """Remembers places: "This is the office."."""
 
-import math
 import os
 import threading
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FilledSemanticFrame, Locations, World, WorldObject, WorldUpdate
 
 from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
+from location_memorizer.ros_poses import to_location, to_pose
 from location_memorizer.ros_world import place_of, places_of
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
@@ -35,18 +35,6 @@ class Settings(Parameters):
 
     places_file: str = parameter("")
     memory_file: str = parameter("")
-
-
-def to_pose(location: Location) -> PoseStamped:
-    """Return a location as a stamped pose."""
-    pose = PoseStamped()
-    pose.header.frame_id = location.frame_id
-    pose.header.stamp = rospy.Time.now()
-    pose.pose.position.x = location.x_m
-    pose.pose.position.y = location.y_m
-    pose.pose.orientation.z = math.sin(location.heading_rad / 2.0)
-    pose.pose.orientation.w = math.cos(location.heading_rad / 2.0)
-    return pose
 
 
 class LocationMemorizer:
@@ -129,14 +117,8 @@ class LocationMemorizer:
         self._publisher.publish(Locations(names=list(known), poses=[to_pose(location) for location in known.values()]))
 
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
-        pose = message.pose.pose
         try:
-            here = Location(
-                frame_id=message.header.frame_id,
-                x_m=pose.position.x,
-                y_m=pose.position.y,
-                heading_rad=2.0 * math.atan2(pose.orientation.z, pose.orientation.w),
-            )
+            here = to_location(message.header.frame_id, message.pose.pose)
         except ValueError as error:
             rospy.logwarn_throttle(10.0, "ignoring a pose: %s", error)
             return

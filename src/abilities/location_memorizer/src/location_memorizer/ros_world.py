@@ -9,6 +9,7 @@ from geometry_msgs.msg import PoseStamped
 from roboframenet_msgs.msg import WorldObject
 
 from location_memorizer.locations import Location
+from location_memorizer.ros_poses import to_location
 from rfnserver.places import location_name
 
 _NOT_IN_AN_ID = re.compile(r"[^\w./-]+", re.ASCII)
@@ -21,8 +22,7 @@ def places_of(objects: Sequence[WorldObject]) -> Dict[str, Location]:
         position, turned = one.pose.pose.position, one.pose.pose.orientation
         for name in filter(None, map(location_name, [one.name, *one.other_names])):
             if one.pose.header.frame_id and all(map(math.isfinite, (position.x, position.y, turned.z, turned.w))):
-                heading_rad = 2.0 * math.atan2(turned.z, turned.w)
-                found[name] = Location(one.pose.header.frame_id, position.x, position.y, heading_rad)
+                found[name] = to_location(one.pose.header.frame_id, one.pose.pose)
     return found
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from voice_recognition.recogniser import RATE
-from voice_recognition.sound import to_samples
+from voice_recognition.sound import to_unit_samples
 
 Spectrum = npt.NDArray[np.float32]
 
@@ -26,7 +26,7 @@ def mel_spectrum(pcm: bytes, seconds: float) -> Spectrum:
         seconds: silence is put behind it up to this length; what is beyond it is cut off
     """
     count = int(seconds * RATE)
-    samples = (to_samples(pcm)[:count] / 32768.0).astype(np.float32)
+    samples = to_unit_samples(pcm)[:count]
     padded = np.pad(np.pad(samples, (0, count - len(samples))), FRAME // 2, mode="reflect")
     frames = np.lib.stride_tricks.sliding_window_view(padded, FRAME)[::STEP][: count // STEP]
     power = np.square(np.abs(np.fft.rfft(frames * _window(), axis=1)))

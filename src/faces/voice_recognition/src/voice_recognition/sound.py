@@ -69,6 +69,11 @@ def to_samples(pcm: bytes) -> Samples:
     return np.frombuffer(pcm, dtype="<i2").astype(np.float64)
 
 
+def to_unit_samples(pcm: bytes) -> npt.NDArray[np.float32]:
+    """Return 16 bit samples as numbers from -1 to 1, as networks take them."""
+    return (to_samples(pcm) / 32768.0).astype(np.float32)
+
+
 def resample(samples: Samples, rate: int, new_rate: int) -> Samples:
     """Return samples at another rate, by a windowed sinc; what is above the new limit is filtered out."""
     if rate == new_rate or not len(samples):

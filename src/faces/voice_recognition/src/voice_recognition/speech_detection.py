@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from voice_recognition.sound import to_samples
+from voice_recognition.sound import to_unit_samples
 from voice_recognition.whisper_model import HOW_TO_INSTALL, NoWhisper, checksum
 
 PACKAGE, FILE = "faster_whisper", "assets/silero_vad_v6.onnx"
@@ -50,7 +50,7 @@ class SpeechDetector:
 
     def most_speech(self, pcm: bytes) -> float:
         """Return the highest probability of speech in a part of a sound; parts are 32 ms long."""
-        samples = (to_samples(pcm) / 32768.0).astype(np.float32)
+        samples = to_unit_samples(pcm)
         count = len(samples) // PART
         if not count:
             return 0.0

@@ -172,7 +172,7 @@ class WhisperEars:
 
     def _more_meanings(self, heard: Sequence[Sentence]) -> Dict[str, Meaning]:
         """Return what sounds like what was heard, where the robot makes something of it."""
-        taken = {_key(one.text) for one in heard}
+        taken = {spoken_words(one.text) for one in heard}
         found: Dict[str, Meaning] = {}
         likely: Dict[str, float] = {}
         for one in heard[:3]:
@@ -194,15 +194,11 @@ class HearSound(Protocol):
         """Return what is heard."""
 
 
-def _key(text: str) -> Words:
-    return spoken_words(text)
-
-
 def _spelled_once(sentences: Sequence[Sentence]) -> Tuple[Sentence, ...]:
     """Return the sentences of other words, each in its likeliest spelling, the likeliest first."""
     found: Dict[Words, Sentence] = {}
     for one in sorted(sentences, key=lambda one: -one.log_probability):
-        found.setdefault(_key(one.text), one)
+        found.setdefault(spoken_words(one.text), one)
     return tuple(one for words, one in found.items() if words)
 
 

@@ -1,5 +1,6 @@
 """Sentences that can be done here and now: from frames that have a server, and from what the world has."""
 
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Sequence, Tuple
@@ -73,12 +74,13 @@ def suggest(
     has = {"": True, "hand": "robot" not in holders, "taker": holders == {""}}
     usable = [one for one in templates if one.frame in frames and has[one.needs]]
     old = [_plain(text) for text in said]
+    known = frozenset(old)
     ranked: List[Tuple[int, str]] = []
     for template in usable:
         # Who has said a kind often gets another kind first.
         begin = _plain(template.say.partition(_SLOT)[0])
         often = sum(text.startswith(begin) for text in old)
-        fresh = [text for text in _sentences(template.say, kinds) if _plain(text) not in old]
+        fresh = [text for text in _sentences(template.say, kinds) if _plain(text) not in known]
         ranked += [(often + place, text) for place, text in enumerate(fresh)]
     everything = ranked or [(0, text) for one in usable for text in _sentences(one.say, kinds)]
     return tuple(dict.fromkeys(text for _, text in sorted(everything, key=lambda pair: pair[0])))[:MOST_SUGGESTIONS]
@@ -91,8 +93,8 @@ def _plain(text: str) -> str:
 def _kinds(world: Iterable[Present]) -> Mapping[str, Tuple[str, ...]]:
     """Return names by the kind of the slot; a name that two objects have means none of them."""
     objects = [one for one in world if one.name]
-    names = [one.name for one in objects]
-    alone = [one for one in objects if names.count(one.name) == 1 and not one.is_before]
+    names = Counter(one.name for one in objects)
+    alone = [one for one in objects if names[one.name] == 1 and not one.is_before]
     found: Dict[str, List[str]] = {}
     for one in alone:
         for kind in _kinds_of(one):

@@ -2,6 +2,7 @@
 
 from typing import Iterator, Mapping, Sequence, Tuple
 
+from roboframenet_ros.spoken_text import with_capital
 from web_console.views import PlanView, StageView, TaskView
 
 #: What a stage is doing once it has reported.
@@ -56,11 +57,6 @@ def now_of(stages: Sequence[StageView], tasks: Sequence[TaskView], did: Sequence
     if active:
         return f"Doing “{'” and “'.join(active)}”"
     return _STAGES.get(stages[-1].name, _OTHER_STAGE) if stages else ""
-
-
-def with_capital(text: str) -> str:
-    """Return a text that begins with a capital letter."""
-    return text[:1].upper() + text[1:]
 
 
 def _tasks(node: PlanView, notes: Tuple[str, ...]) -> Iterator[TaskView]:

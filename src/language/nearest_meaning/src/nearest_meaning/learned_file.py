@@ -57,6 +57,8 @@ class LearnedFile:
 
     def _keep_left_over(self) -> None:
         """Take over what can be read of a file that was set aside."""
+        if not self._file.aside:
+            return
         with self._file.change() as connection:
             for table, columns, read in (("units", _UNIT, _unit_of), ("declined", _DECLINED, _declined_of)):
                 places = ", ".join("?" * len(columns.split(",")))

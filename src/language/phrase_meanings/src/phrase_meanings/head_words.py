@@ -16,8 +16,6 @@ ONES = word_class("noun_standins")
 _ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
 #: Nouns that stand for a number: "a couple of beers".
 _COUPLES = frozenset(["couple"])
-#: By Penn Treebank tag.
-_KINDS_OF_ADJECTIVES = {"JJR": "comparative"}
 _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
@@ -151,7 +149,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
         if base in ("amod", "nummod") and _ordinal(form):
             kind, number = "ordinal", _ordinal(form)
         elif base == "amod" and form not in shipped_meanings().quantifiers:
-            kind = "superlative" if is_superlative(child) else _KINDS_OF_ADJECTIVES.get(child.xpos, "adjective")
+            kind = _kind_of_adjective(child)
         elif base == "compound" and child.index < head:
             kind = "compound"
         elif (
@@ -187,12 +185,10 @@ def property_alone(word: Word) -> Optional[Modifier]:
     """Return the property that an adjective without a noun names: "the *smallest*"; None for another word."""
     form, lemma = word.form.lower(), word.lemma.lower()
     # The parser takes some of them for nouns.
-    is_most = is_superlative(word)
-    if word.upos != "ADJ" and not is_most:
+    if word.upos != "ADJ" and not is_superlative(word):
         return None
     number = _ordinal(form)
-    kind = "superlative" if is_most else _KINDS_OF_ADJECTIVES.get(word.xpos, "adjective")
-    kind = "ordinal" if number else kind
+    kind = "ordinal" if number else _kind_of_adjective(word)
     return Modifier(kind, word.form, lemma, number=number, position=word.index)
 
 
@@ -200,6 +196,12 @@ def is_superlative(word: Word) -> bool:
     """Whether a word asks for the most of something; the parser takes "nearest" for an adjective in its base form."""
     form = word.form.lower()
     return word.xpos == "JJS" or (form.endswith("est") and bool(measure_of(form)))
+
+
+def _kind_of_adjective(word: Word) -> str:
+    if is_superlative(word):
+        return "superlative"
+    return "comparative" if word.xpos == "JJR" else "adjective"
 
 
 def _ordinal(form: str) -> int:

@@ -77,14 +77,16 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
     superlatives = [one for one in argument.modifiers if one.kind == "superlative"]
     ordinals = [one.number for one in argument.modifiers if one.kind == "ordinal"]
     if superlatives:
-        found = most_of(found, superlatives, situation, ordinals[0] if ordinals else 1)
-    for modifier in argument.modifiers if not superlatives else ():
-        if modifier.kind == "ordinal" and situation.offered:
-            place = modifier.number - 1 if modifier.number > 0 else modifier.number
-            found = found[place : place + 1 or None] if -1 <= place < len(found) else ()
-        elif modifier.kind == "ordinal":
-            found = found if len(found) == 1 else ()
+        return most_of(found, superlatives, situation, ordinals[0] if ordinals else 1)
+    for number in ordinals:
+        found = _at_rank(found, number) if situation.offered else found if len(found) == 1 else ()
     return found
+
+
+def _at_rank(objects: Objects, number: int) -> Objects:
+    """Return the first of some objects for 1, the last one for -1; none where there are fewer."""
+    place = number - 1 if number > 0 else number
+    return objects[place : place + 1 or None] if -len(objects) <= place < len(objects) else ()
 
 
 def _without_portion(argument: TypedArgument, whole: TypedArgument) -> TypedArgument:
@@ -260,7 +262,5 @@ def most_of(objects: Objects, superlatives: Sequence[Modifier], situation: Situa
     """
     for modifier in superlatives:
         wanted = measure(modifier.word)
-        ordered = () if wanted is None else in_order(objects, wanted, situation.world)
-        first = place - 1 if place > 0 else place
-        objects = ordered[first : first + 1 or None] if -len(ordered) <= first < len(ordered) else ()
+        objects = _at_rank(in_order(objects, wanted, situation.world), place) if wanted is not None else ()
     return objects

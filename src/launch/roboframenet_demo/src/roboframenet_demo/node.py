@@ -143,7 +143,7 @@ class Demonstration:
 
     def _show_event(self, event: StageEvent) -> None:
         # The executor publishes this event every second while a command runs.
-        if event.sentence.startswith("Doing "):
+        if event.sentence.startswith(("Doing ", "Waiting (")):
             return
         text = f"    {event.stage:<20} {event.sentence}"
         with self._print_lock:

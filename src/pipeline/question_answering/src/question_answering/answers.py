@@ -285,13 +285,12 @@ def _which(arguments: Arguments, known: RobotKnowledge) -> str:
         most = rank.text.split()[-1]
         superlatives += (Modifier("superlative", most, most),)
         ordinals += [one for one in rank.modifiers if one.kind == "ordinal"]
-    words = {one.word.lower() for one in superlatives}
-    places = ordinals if superlatives else []
-    words |= {one.word.lower() for one in places}
+    ranking = (*ordinals, *superlatives) if superlatives else ()
+    words = {one.word.lower() for one in ranking}
     others = replace(
         theme,
         text=" ".join(word for word in theme.text.split() if word.lower() not in words),
-        modifiers=tuple(one for one in theme.modifiers if one not in (*superlatives, *places)),
+        modifiers=tuple(one for one in theme.modifiers if one not in ranking),
     )
     candidates = at_location(arguments, fitting(others, known.situation, is_wide=True), known)
     if not candidates and "location" in arguments:
@@ -300,9 +299,9 @@ def _which(arguments: Arguments, known: RobotKnowledge) -> str:
         return unknown_of(others)
     if not superlatives:
         return f"I know of {join_with_and(indefinite(candidates))}."
-    found = most_of(candidates, superlatives, known.situation, places[0].number if places else 1)
+    found = most_of(candidates, superlatives, known.situation, ordinals[0].number if ordinals else 1)
     if not found:
-        wanted = " ".join(one.word.lower() for one in (*places, superlatives[0]))
+        wanted = " ".join(one.word.lower() for one in (*ordinals, superlatives[0]))
         return f"I do not know which {bare_noun(others)} is the {wanted}."
     place = place_of(found[0], known.world)
     return f"It is {full_name(found[0])}{f' {place}' if place else ''}."

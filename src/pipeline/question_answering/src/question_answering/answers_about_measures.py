@@ -64,11 +64,11 @@ def comparison(arguments: Arguments, known: RobotKnowledge) -> str:
         return missing or also_missing
     name, other_name = name_for(theme, one), name_for(standard, other)
     verb = verb_of([one], name)
-    values = [measured(thing, wanted.name, known.world) for thing in (one, other)] if wanted is not None else [None]
+    first = measured(one, wanted.name, known.world) if wanted is not None else None
+    second = measured(other, wanted.name, known.world) if wanted is not None else None
     is_choice = "alternative" in arguments
-    if wanted is None or None in values:
+    if wanted is None or first is None or second is None:
         return f"I do not know {'which of them' if is_choice else f'whether {name}'} {verb} {attribute}."
-    first, second = values[0] or 0.0, values[1] or 0.0
     if wanted.is_little:
         first, second = second, first
     is_same = max(first, second) < _LEAST_RATIO * min(first, second)

@@ -7,11 +7,11 @@ verdicts on commands hold for candidates, too.
 """
 
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, FrozenSet, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
 
 from roboframenet_ros.spoken_text import join_with_and, join_with_or
 from semantic_framer.asking.settling import Now
-from semantic_framer.clauses.readings import Heard
+from semantic_framer.clauses.readings import Heard, Read
 from semantic_framer.kinds.utterance_kind import kinds_of_clauses
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context, Lesson, Pending
@@ -104,10 +104,6 @@ class _Gap(NamedTuple):
     said: str
 
 
-#: Understands another tree of the sentence.
-Read = Callable[[DependencyTree], Heard]
-
-
 def asked_about(tree: DependencyTree, heard: Heard, context: Context, now: Now, read: Read) -> Heard:
     """Return what a sentence means, or the question what is meant if it cannot be done as it stands.
 
@@ -141,9 +137,10 @@ def asked_about(tree: DependencyTree, heard: Heard, context: Context, now: Now, 
 
 def _with_what_is_near(tree: DependencyTree, heard: Heard, known: FramedLexicon) -> Heard:
     """Return a refusal that also says what can be done that is near: "I can go, look and bring."."""
-    outcome, deeds = heard.outcome, known.lexicon.deeds(known.frames)
+    outcome = heard.outcome
     if not isinstance(outcome, Refusal) or outcome.code not in _UNKNOWN_DEEDS or known.likeness is None:
         return heard
+    deeds = known.lexicon.deeds(known.frames)
     alike = zip(known.likeness.of(tree.text.strip(" .!?"), deeds.texts), deeds.examples)
     usual = {unit.frame_name: verb for unit, verb in reversed(deeds.verbs)}
     near: List[str] = []

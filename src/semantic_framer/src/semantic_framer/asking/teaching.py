@@ -5,11 +5,11 @@ they mean. What they mean must be a deed that is understood. Words that are unde
 """
 
 from dataclasses import replace
-from typing import Callable, FrozenSet, Iterable, Iterator, NamedTuple, Optional, Sequence, Tuple
+from typing import FrozenSet, Iterable, Iterator, NamedTuple, Optional, Sequence, Tuple
 
 from roboframenet_ros.spoken_text import join_with_and
 from semantic_framer.asking.settling import Now, resolve_and_confirm
-from semantic_framer.clauses.readings import Heard
+from semantic_framer.clauses.readings import Heard, Read
 from semantic_framer.filling.default_values import value_of_verb
 from semantic_framer.queries.questions import idiom_readings
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -39,9 +39,6 @@ _MARKS = frozenset(["mark", "aux", "case", "punct"])
 #: Relations that a parser gives "to freshen up" before "means".
 _SUBJECTS = frozenset(["csubj", "nsubj", "advcl", "obl"])
 _DETERMINERS = word_class("determiners_and_possessives")
-
-#: Understands another tree of the sentence.
-Read = Callable[[DependencyTree], Heard]
 
 
 class _Taught(NamedTuple):

@@ -1,7 +1,7 @@
 """Finds the plausible readings of a clause, or the refusal that a person hears if there are none."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, Iterable, Optional, Tuple, Union
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple, Union
 
 from semantic_framer.filling.control import ITERATION, kept_up, with_duration, with_times
 from semantic_framer.filling.extra_phrases import extra_arguments
@@ -87,6 +87,10 @@ class Heard:
     named: FrozenSet[int] = frozenset()
     is_answer: bool = False
     lessons: Tuple[Lesson, ...] = ()
+
+
+#: Understands another tree of the sentence.
+Read = Callable[[DependencyTree], Heard]
 
 
 def as_wish(read: ClauseReadings) -> ClauseReadings:

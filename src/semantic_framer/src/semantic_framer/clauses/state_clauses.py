@@ -176,10 +176,7 @@ class _OfBe(StatePhrases):
             outside = frozenset() if known is None else self._sentence.subtree(known.index)
             place = here if known is None else self._place_of(known)
             self._asking = outside
-            elements = {"theme": self._phrase(subject, outside)}
-            return StateClause(
-                FOREMOST, "theme", elements if place is None else {**elements, "location": self._phrase(place)}
-            )
+            return StateClause(FOREMOST, "theme", self._at(place, {"theme": self._phrase(subject, outside)}))
         return None
 
     def _counted(self, number: Word, things: Word) -> Optional[StateClause]:
@@ -190,7 +187,7 @@ class _OfBe(StatePhrases):
         )
         outside = frozenset() if place is None else self._sentence.subtree(place.index)
         theme = {"theme": self._phrase(things, outside | self._cases(things))}
-        return StateClause(LOCATED, COUNT, theme if place is None else {**theme, "location": self._phrase(place)})
+        return StateClause(LOCATED, COUNT, self._at(place, theme))
 
     def _measured(self, subject: Word) -> Optional[StateClause]:
         """Read "how tall is the fridge", "how far is the hall from here", "is the sofa bigger than the bed", "which is
@@ -347,7 +344,7 @@ class _OfVerb(StatePhrases):
             theme = self._theme(thing)
             place = self._place_of(self._top)
             where = subject if not is_ours else place
-            return StateClause(LOCATED, COUNT, theme if where is None else {**theme, "location": self._phrase(where)})
+            return StateClause(LOCATED, COUNT, self._at(where, theme))
         if self._asked_of(subject) == PERSON:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         if asked:

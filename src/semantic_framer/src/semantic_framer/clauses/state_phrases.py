@@ -229,6 +229,8 @@ class StatePhrases:
             "attribute": (more.index,),
             "standard": self._phrase(other, there | self._cases(other)),
         }
-        return StateClause(
-            MEASURED, WHETHER, elements if place is None else {**elements, "location": self._phrase(place)}
-        )
+        return StateClause(MEASURED, WHETHER, self._at(place, elements))
+
+    def _at(self, place: Optional[Word], elements: Mapping[str, Positions]) -> Dict[str, Positions]:
+        """Return elements with the place that was said, if one was."""
+        return {**elements} if place is None else {**elements, "location": self._phrase(place)}

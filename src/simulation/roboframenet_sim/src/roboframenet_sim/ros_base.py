@@ -3,6 +3,7 @@
 import math
 import threading
 from dataclasses import dataclass
+from typing import Tuple
 
 import rospy
 import tf2_ros
@@ -117,22 +118,33 @@ class RosBase:
         with self._lock:
             self._base.step(duration_s)
             pose, velocity = self._base.pose, self._base.velocity
-        rotation = quaternion_of_yaw(pose.yaw_rad)
-        odometry = Odometry()
-        odometry.header.stamp = stamp
-        odometry.header.frame_id = self._settings.odom_frame
-        odometry.child_frame_id = self._settings.base_frame
-        odometry.pose.pose.position.x, odometry.pose.pose.position.y = pose.x_m, pose.y_m
-        odometry.pose.pose.orientation = rotation
-        odometry.twist.twist.linear.x = velocity.linear_m_per_s
-        odometry.twist.twist.angular.z = velocity.angular_rad_per_s
+        frames = self._settings.odom_frame, self._settings.base_frame
+        odometry, transform = base_messages(pose, velocity, frames=frames, stamp=stamp)
         publish(self._odom, odometry)
-        transform = TransformStamped()
-        transform.header = odometry.header
-        transform.child_frame_id = self._settings.base_frame
-        transform.transform.translation.x, transform.transform.translation.y = pose.x_m, pose.y_m
-        transform.transform.rotation = rotation
         publish_transform(self._tf, transform)
+
+
+def base_messages(
+    pose: Pose, velocity: Velocity, *, frames: Tuple[str, str], stamp: rospy.Time
+) -> Tuple[Odometry, TransformStamped]:
+    """Return how a base tells where it is and how it moves.
+
+    Args:
+        pose: in the odometry frame
+        velocity: of the base
+        frames: the odometry frame, and that of the base
+        stamp: of both messages
+    """
+    odometry = Odometry(child_frame_id=frames[1])
+    odometry.header.frame_id, odometry.header.stamp = frames[0], stamp
+    odometry.pose.pose.position.x, odometry.pose.pose.position.y = pose.x_m, pose.y_m
+    odometry.pose.pose.orientation = quaternion_of_yaw(pose.yaw_rad)
+    odometry.twist.twist.linear.x = velocity.linear_m_per_s
+    odometry.twist.twist.angular.z = velocity.angular_rad_per_s
+    transform = TransformStamped(header=odometry.header, child_frame_id=frames[1])
+    transform.transform.translation.x, transform.transform.translation.y = pose.x_m, pose.y_m
+    transform.transform.rotation = odometry.pose.pose.orientation
+    return odometry, transform
 
 
 def publish_transform(broadcaster: tf2_ros.TransformBroadcaster, transform: TransformStamped) -> None:

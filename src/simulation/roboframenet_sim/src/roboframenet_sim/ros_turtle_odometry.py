@@ -4,13 +4,14 @@ import math
 
 import rospy
 import tf2_ros
-from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from turtlesim.msg import Pose
 
 from roboframenet_ros.ros_node import run_node
 from roboframenet_ros.ros_publishing import publish
-from roboframenet_sim.ros_base import quaternion_of_yaw
+from roboframenet_sim.base import Pose as BasePose
+from roboframenet_sim.base import Velocity
+from roboframenet_sim.ros_base import base_messages, publish_transform
 
 ODOM_FRAME, BASE_FRAME = "odom", "base_link"
 
@@ -33,20 +34,14 @@ class TurtleOdometry:
         if not all(map(math.isfinite, (pose.x, pose.y, pose.theta, pose.linear_velocity, pose.angular_velocity))):
             rospy.logwarn_throttle(10.0, "a pose of the turtle that is no number is dropped")
             return
-        odometry = Odometry(child_frame_id=BASE_FRAME)
-        odometry.header.frame_id, odometry.header.stamp = ODOM_FRAME, rospy.Time.now()
-        odometry.pose.pose.position.x, odometry.pose.pose.position.y = pose.x, pose.y
-        odometry.pose.pose.orientation = quaternion_of_yaw(pose.theta)
-        odometry.twist.twist.linear.x, odometry.twist.twist.angular.z = pose.linear_velocity, pose.angular_velocity
+        odometry, transform = base_messages(
+            BasePose(x_m=pose.x, y_m=pose.y, yaw_rad=pose.theta),
+            Velocity(linear_m_per_s=pose.linear_velocity, angular_rad_per_s=pose.angular_velocity),
+            frames=(ODOM_FRAME, BASE_FRAME),
+            stamp=rospy.Time.now(),
+        )
         publish(self._odometry, odometry)
-        transform = TransformStamped(header=odometry.header, child_frame_id=BASE_FRAME)
-        transform.transform.translation.x, transform.transform.translation.y = pose.x, pose.y
-        transform.transform.rotation = odometry.pose.pose.orientation
-        try:
-            self._transforms.sendTransform(transform)
-        except rospy.ROSException:
-            # The topic has been closed: ROS shuts down.
-            return
+        publish_transform(self._transforms, transform)
 
 
 def main() -> None:

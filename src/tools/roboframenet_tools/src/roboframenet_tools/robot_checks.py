@@ -150,9 +150,13 @@ def _odometry(graph: RobotGraph) -> List[Finding]:
 def _stamped(subject: str, topic: str, heard: Heard) -> Finding:
     if heard.age_s is None or abs(heard.age_s) <= MOST_AGE_S:
         return Finding(subject, f"{topic}, from {heard.frame_id or 'no frame'} to {heard.child_frame_id or 'no frame'}")
-    when = f"{abs(heard.age_s):.1f} s {'old' if heard.age_s > 0 else 'ahead'}"
+    when = _how_old(heard.age_s)
     mend = "let chrony or ntpd set the clocks of both machines; they must agree to a tenth of a second"
     return Finding(subject, f"{topic}: the stamps are {when}", mend)
+
+
+def _how_old(age_s: float) -> str:
+    return f"{abs(age_s):.1f} s {'old' if age_s > 0 else 'ahead'}"
 
 
 def _localisation(graph: RobotGraph) -> List[Finding]:
@@ -210,7 +214,7 @@ def _transforms(graph: RobotGraph) -> List[Finding]:
         findings.append(Finding("tf", f"no way from {frame} to {base}: tf ends at {root}", mend))
     for child, link in chain:
         if link.age_s is not None and abs(link.age_s) > MOST_AGE_S:
-            when = f"{abs(link.age_s):.1f} s {'old' if link.age_s > 0 else 'ahead'}"
+            when = _how_old(link.age_s)
             mend = "see whether its publisher still runs, and whether the clocks of the machines agree"
             findings.append(Finding("tf", f"the transform from {link.parent} to {child} is {when}", mend))
     return findings

@@ -4,7 +4,7 @@ import argparse
 import math
 import sys
 import time
-from typing import Any, Dict
+from typing import Dict
 
 import actionlib
 import rosgraph
@@ -19,6 +19,7 @@ from roboframenet_msgs.msg import (
 )
 
 from location_memorizer.locations import Location, write_locations
+from location_memorizer.ros_poses import to_location
 from roboframenet_ros.ros_waiting import wait_for_action_server, wait_for_message
 
 EXAMPLES = """examples:
@@ -99,12 +100,9 @@ def _places() -> Dict[str, Location]:
         message = wait_for_message("locations", Locations, _CONNECT_S)
     except rospy.ROSException as error:
         raise _NotDone("nobody publishes locations: does location_memorizer run?") from error
-    return {name: _location(pose) for name, pose in zip(message.names, message.poses)}
-
-
-def _location(stamped: Any) -> Location:
-    position, rotation = stamped.pose.position, stamped.pose.orientation
-    return Location(stamped.header.frame_id, position.x, position.y, 2.0 * math.atan2(rotation.z, rotation.w))
+    return {
+        name: to_location(stamped.header.frame_id, stamped.pose) for name, stamped in zip(message.names, message.poses)
+    }
 
 
 def _list(places: Dict[str, Location]) -> None:

@@ -3,6 +3,7 @@
 import os
 import socket
 import time
+from dataclasses import replace
 from typing import Any, Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple
 from urllib.parse import urlparse
 
@@ -50,14 +51,12 @@ def look_at_robot(*, listen_s: float = LISTEN_S) -> RobotGraph:
     hosts = {node: urlparse(uri).hostname or "" for node, uri in addresses.items()}
     velocity_topics = _resolved("stop_server/velocity_topics", ["cmd_vel"])
     bound, problems = _bindings(rospy.get_param("frame_bindings/files", []))
-    return RobotGraph(
+    return replace(
+        graph,
         master_host=urlparse(rosgraph.get_master_uri()).hostname or "",
         own_host=rosgraph.network.get_host_name(),
         node_hosts=hosts,
         unreachable_hosts=_unreachable(addresses, hosts),
-        publishers=graph.publishers,
-        subscribers=graph.subscribers,
-        types=types,
         services=_services(),
         heard={topic: listener.heard.get(topic) for topic in wanted},
         links={child: tuple(parents.values()) for child, parents in listener.links.items()},
@@ -73,7 +72,6 @@ def look_at_robot(*, listen_s: float = LISTEN_S) -> RobotGraph:
         senses=_senses(hosts, namespace),
         speed_m_per_s=_spoken_speed(hosts, namespace),
         speed_limits=_speed_limits(rospy.get_param("/", {})),
-        namespace=namespace,
     )
 
 
