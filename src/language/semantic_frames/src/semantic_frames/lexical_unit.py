@@ -6,6 +6,7 @@ from enum import Enum
 from functools import cached_property
 from typing import FrozenSet, Iterable, Mapping, Optional, Pattern, Tuple
 
+from semantic_frames.clause_shape import ClauseShape
 from semantic_frames.semantic_type import with_parents
 
 
@@ -167,6 +168,7 @@ class LexicalUnit:
         questions: patterns of whole questions, which are tried in this order
         remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
         conditions: patterns of whole clauses that say how things are, which are tried in this order
+        clauses: the grammar of clauses about the robot: "what can you do", "never use the left arm"
         asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
         holds: the frames of state that a condition may be said in: "being_located"
         events: verbs of what happens, in conditions alone, with their particles: "show up"
@@ -187,6 +189,7 @@ class LexicalUnit:
     questions: Tuple[WordPattern, ...] = ()
     conditions: Tuple[WordPattern, ...] = ()
     remarks: Tuple[WordPattern, ...] = ()
+    clauses: Tuple[ClauseShape, ...] = ()
     asks: Tuple[str, ...] = ()
     holds: Tuple[str, ...] = ()
     events: Tuple[str, ...] = ()

@@ -7,6 +7,7 @@ import yaml
 
 from checked_files.marked_yaml import Reader, did_you_mean, line_of
 from checked_files.problem import Problem
+from semantic_frames.clause_shape import read_shapes
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import (
     SLOT_KINDS,
@@ -26,6 +27,7 @@ UNIT_KEYS = (
     "question",
     "remark",
     "condition",
+    "clause",
     "asks",
     "holds",
     "event",
@@ -49,7 +51,7 @@ _SENSE = re.compile(r"^[a-z_]+\.v\.\d\d$")
 #: Says that a unit does not fill an element.
 _NOTHING = "none"
 #: What may stand in the place of verbs.
-PATTERN_KEYS = ("question", "remark", "condition", "asks", "holds")
+PATTERN_KEYS = ("question", "remark", "condition", "clause", "asks", "holds")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -114,6 +116,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
         remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
         conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
+        clauses=read_shapes(reader, entries["clause"], f"{prefix}clause") if "clause" in entries else (),
         asks=reader.texts(entries.get("asks"), f"{prefix}asks"),
         holds=reader.texts(entries.get("holds"), f"{prefix}holds"),
         events=events,
@@ -243,6 +246,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     named += [(pattern.line, "question", name) for pattern in unit.questions for name in pattern.elements]
     named += [(pattern.line, "remark", name) for pattern in unit.remarks for name in pattern.elements]
     named += [(pattern.line, "condition", name) for pattern in unit.conditions for name in pattern.elements]
+    named += [(shape.line, "clause", name) for shape in unit.clauses for name in shape.elements]
     named += [(unit.line, "values", name) for name in unit.values]
     named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
     problems = [
@@ -275,16 +279,17 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         and not inherited(frame, element)
     ]
     filled = {relation.name for relation in with_inherited(unit, frame).relations} | set(unit.values)
-    patterns = unit.questions + unit.remarks + unit.conditions
-    if patterns:
-        filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))
-    if (unit.questions or unit.asks) and not frame.is_question:
+    ways = [pattern.elements for pattern in unit.questions + unit.remarks + unit.conditions]
+    ways += [tuple(shape.elements) for shape in unit.clauses]
+    if ways:
+        filled |= frozenset.intersection(*map(frozenset, ways))
+    if (unit.questions or unit.asks or unit.clauses) and not frame.is_question:
         problems.append(
             Problem(
                 "NOT_A_QUESTION",
                 unit.path,
                 unit.line,
-                "question" if unit.questions else "asks",
+                "question" if unit.questions else "asks" if unit.asks else "clause",
                 f"the frame {frame.name}, which acts",
                 "a frame with 'is_question: True': a question never acts",
             )

@@ -4,11 +4,13 @@ from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.filling.default_values import value_of_verb
 from semantic_framer.judging.verdicts import Case
+from semantic_framer.kinds.clause_features import Form, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.question_extent import ends_inside, words_of_question
 from semantic_framer.kinds.question_orders import direct_orders, length_of_opening
 from semantic_framer.kinds.question_words import compiled
 from semantic_framer.kinds.utterance_kind import kind_without_clause
+from semantic_framer.queries.shaped_clauses import shaped_reading
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.word_patterns import argument_of, heads
 from semantic_framer.values.reading import Reading, rank
@@ -77,7 +79,7 @@ def idiom_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, .
 def _remarks(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
     # "Well" and "now" may also be words around a sentence.
     whole, inner = [word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence)
-    return [
+    return _told(sentence, known, whole) + [
         read
         for words in ([whole, inner] if len(inner) < len(whole) else [whole])
         for unit in known.lexicon.remark_units([spelling(word) for word in words])
@@ -86,6 +88,19 @@ def _remarks(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
         for read in [_read(sentence, unit, known.frames[unit.frame_name], pattern, words)]
         if read is not None
     ]
+
+
+def _told(sentence: Sentence, known: FramedLexicon, words: Sequence[Word]) -> List[Reading]:
+    """Return the reading of a sentence that tells the robot something about itself: "never use the left arm"."""
+    tops = sentence.children(0)
+    if len(tops) != 1 or ends_inside(sentence, words):
+        return []
+    features = features_of(sentence.tree, tops[0].index)
+    if features.form is not Form.PLAIN:
+        return []
+    positions = frozenset(word.index for word in words)
+    found = shaped_reading(sentence, known, features, positions, needs_server=False)
+    return [found] if found is not None else []
 
 
 def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:

@@ -27,6 +27,7 @@ from semantic_framer.queries.deed_questions import (
     told_features,
 )
 from semantic_framer.queries.questions import question_readings
+from semantic_framer.queries.shaped_clauses import own_question
 from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
@@ -129,12 +130,15 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
 def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     """Return the readings of what a sentence asks; none if it asks nothing that can be answered."""
     inside, told = embedded_features(case), told_features(case)
-    found = state_question(case, inside) or deed_question(case, inside, context) if inside is not None else ()
-    found = found or (deed_question(case, told, context) if told is not None else ())
+    found = own_question(case, inside) or state_question(case, inside) if inside is not None else ()
+    found = found or (deed_question(case, inside, context) if inside is not None else ())
+    if told is not None:
+        found = found or own_question(case, told) or deed_question(case, told, context)
     if found:
         return found
     whole = asking_features(case)
-    found = question_readings(case) or ability_question(case, context)
+    found = own_question(case, whole) if whole is not None else ()
+    found = found or question_readings(case) or ability_question(case, context)
     # A pattern that holds each word knows best: "how many orders do you have".
     if whole is None or (found and not found[0].arguments):
         return found
@@ -150,7 +154,7 @@ def embedded_question(sentence: Sentence, context: Context, now: Now) -> Optiona
         return None
     case = case_of(said, find_clauses(said.tree, now.known), now.known, now.policy)
     features = told_features(case)
-    asked = deed_question(case, features, context) if features is not None else ()
+    asked = own_question(case, features) or deed_question(case, features, context) if features is not None else ()
     return _answered(asked, said, context, now) if asked else None
 
 

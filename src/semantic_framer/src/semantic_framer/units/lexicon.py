@@ -9,6 +9,7 @@ from typing import Collection, Dict, FrozenSet, Iterable, List, Mapping, NamedTu
 from semantic_framer.units.deeds_of_units import Deeds, deeds_of_units
 from semantic_framer.units.pattern_index import PatternIndex
 from semantic_frames import load_lexical_units
+from semantic_frames.clause_shape import ClauseShape
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.roles import with_inherited
@@ -20,6 +21,7 @@ class _Indices(NamedTuple):
     questions: PatternIndex
     remarks: PatternIndex
     conditions: PatternIndex
+    clauses: Dict[str, List[Tuple[LexicalUnit, ClauseShape]]]
     asks: Dict[str, List[LexicalUnit]]
     events: "Lexicon"
 
@@ -98,7 +100,8 @@ class Lexicon:
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         self._deeds = None
         for unit in units:
-            if unit.questions or unit.remarks or unit.conditions or unit.asks or unit.holds or unit.events:
+            patterns = unit.questions or unit.remarks or unit.conditions or unit.clauses
+            if patterns or unit.asks or unit.holds or unit.events:
                 self._with_patterns[unit.path].append(unit)
                 self._indices = None
             for verb in dict.fromkeys(unit.verbs):
@@ -155,6 +158,10 @@ class Lexicon:
         """Return the units of which a condition may fit some words, in the order of the files."""
         return self._indexed().conditions.may_fit(words)
 
+    def shaped_units(self, verb: str) -> Sequence[Tuple[LexicalUnit, ClauseShape]]:
+        """Return the units with clauses of a verb, each with the clause, in the order of the files."""
+        return self._indexed().clauses.get(verb, ())
+
     def asking_units(self, asked: str) -> Sequence[LexicalUnit]:
         """Return the units that ask for an element of a frame of state, "being_located.location", or are one."""
         return self._indexed().asks.get(asked, ())
@@ -168,13 +175,18 @@ class Lexicon:
         if self._indices is None:
             units = [unit for units in self._with_patterns.values() for unit in units]
             asks: Dict[str, List[LexicalUnit]] = defaultdict(list)
+            clauses: Dict[str, List[Tuple[LexicalUnit, ClauseShape]]] = defaultdict(list)
             for unit in units:
                 for asked in (*unit.asks, *unit.holds):
                     asks[asked].append(unit)
+                for shape in unit.clauses:
+                    for verb in shape.verbs:
+                        clauses[verb].append((unit, shape))
             self._indices = _Indices(
                 PatternIndex(units, lambda unit: unit.questions),
                 PatternIndex(units, lambda unit: unit.remarks),
                 PatternIndex(units, lambda unit: unit.conditions),
+                clauses,
                 asks,
                 Lexicon.of_units(replace(unit, verbs=unit.events, events=()) for unit in units if unit.events),
             )
