@@ -234,7 +234,8 @@ class _About:
         frame = self._known.frames.get(self._asked.frame_name)
         element = frame.element(phrase.name) if frame is not None else None
         objects = tuple(one for one in self._known.world.objects if one.id != ROBOT_ID)
-        if phrase.head.lower() != phrase.quantifier and phrase.lemma not in _QUESTION_WORDS:
+        is_kind = phrase.head.lower() != phrase.quantifier and phrase.lemma not in _QUESTION_WORDS
+        if is_kind:
             objects = fitting(replace(phrase, quantifier=""), self._known.situation, is_wide=True)
         types = element.semantic_types if element is not None else ()
         if not types or _ANY_THING.intersection(types):

@@ -186,3 +186,28 @@ def test_what_runs_beside_each_other_runs() -> None:
     for number in (0, 1):
         log.add_tried("other", "", number, TriedOnce(FilledFrame("going"), True, "", NOW, 1.0))
     assert [clause.number for clause in log.clauses] == [1]
+
+
+def test_the_past_is_asked_about_in_other_words(robot: Robot) -> None:
+    robot.did("Go to the hall.", before=timedelta(days=1))
+    robot.did("Go to the hall.", before=timedelta(hours=3))
+    robot.did("Close the kitchen door.", before=timedelta(hours=2))
+    assert robot.hears("How many times have you been to the hall?") == "Twice."
+    assert robot.hears("Have you been to the kitchen?") == "No, as far as I remember."
+    assert robot.hears("Which rooms have you been to?") == "To the hall."
+    assert robot.hears("Did you go to the hall yesterday?") == (
+        'Yes: I carried out "Go to the hall." yesterday at 20:00.'
+    )
+    assert robot.hears("Did you close the kitchen door yesterday?") == "No, as far as I remember."
+    assert robot.hears("When was the kitchen door closed?") == "Today at 18:00."
+    assert robot.hears("Was the kitchen door closed by you?") == (
+        'Yes: I carried out "Close the kitchen door." today at 18:00.'
+    )
+    told = "It took me 12 seconds, today at 18:00."
+    assert robot.hears("How long did it take you to close the kitchen door?") == told
+    assert robot.hears("How long did you need to close the kitchen door?") == told
+
+
+def test_knowing_how_is_an_ability(robot: Robot) -> None:
+    assert robot.hears("Do you know how to close doors?") == "Yes, I can close doors."
+    assert robot.hears("Do you know how to vacuum?") == "No: nothing that runs here can do that."

@@ -6,7 +6,7 @@ from typing import FrozenSet, Optional, Tuple
 from semantic_framer.clauses.readings import meant_readings
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
-from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, features_of
 from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.reading import Reading
@@ -29,7 +29,11 @@ _ASKED = {"when": "when", "why": "why"}
 _OF_AMOUNT = {"often": "how_often", "times": "how_often", "long": "how_long"}
 #: The semantic type of a person.
 _PERSON = "Human"
-#: FrameNet's name of when something is done.
+_BEEN, _TO, _GO = "been", "to", "go"
+_OF_NOUNS = frozenset(["det", "case", "amod", "compound", "nmod", "nummod", "acl", "flat", "appos"])
+#: "Yesterday", "last night".
+_PERIODS = frozenset(["obl:unmarked", "advmod"])
+#: FrameNet's name of when something is done, and the semantic type of its words.
 _TIME_SAID = "Time"
 
 
@@ -54,6 +58,31 @@ def of_own_deed(sentence: Sentence, features: ClauseFeatures, known: FramedLexic
     if not acting or has_object or [child.form.lower() in _HEARERS for child in subjects] != [True]:
         return features
     return replace(features, agent=subjects[0].index, is_passive=False, aspect=Aspect.DONE)
+
+
+def with_going(sentence: Sentence, features: ClauseFeatures) -> Tuple[Sentence, ClauseFeatures]:
+    """Return "you have *been to* the hall" as "you have *gone to* the hall", with its features; no others.
+
+    Args:
+        sentence: the sentence
+        features: of the clause
+    """
+    tree, top = sentence.tree, sentence.word(features.top)
+    children = tree.children(top.index)
+    been = next((child for child in children if child.deprel == "cop" and child.form.lower() == _BEEN), None)
+    if been is None or not any(child.deprel == "case" and child.form.lower() == _TO for child in children):
+        return sentence, features
+    edit = TreeEdit(tree)
+    edit.drop_brackets()
+    edit.rehang(been.index, top.head, top.deprel)
+    edit.retag(been.index, "VERB")
+    edit.respell(been.index, been.form, _GO)
+    edit.rehang(top.index, been.index, "obl")
+    for child in children:
+        if child is not been and child.deprel.split(":")[0] not in _OF_NOUNS:
+            edit.rehang(child.index, been.index)
+    went = sentence.attached(edit.tree())
+    return went, replace(features_of(went.tree, been.index), form=features.form)
 
 
 class DeedClause:
@@ -121,7 +150,7 @@ class DeedClause:
         tree = self._sentence.tree
         own = tree.subtree(self._top) - self._outside()
         own = own if self._within is None else own & self._within
-        for words in tree.times:
+        for words in (*tree.times, *self._periods()):
             if words <= own:
                 own -= words
                 head = next((index for index in words if tree.word(index).head not in words), min(words))
@@ -135,6 +164,12 @@ class DeedClause:
                 return replace(reading, clause_text=self._words(clause))
         return None
 
+    def _periods(self) -> Tuple[FrozenSet[int], ...]:
+        """Return the phrases that say when, and are no times of commands: "yesterday", "last night"."""
+        adverbs = [child for child in self._sentence.children(self._top) if child.deprel in _PERIODS]
+        periods = (child for child in adverbs if self._sentence.types.likeliest(child.index) == _TIME_SAID)
+        return tuple(self._sentence.subtree(child.index) for child in periods)
+
     def _outside(self) -> FrozenSet[int]:
         """Return the words of the clause that fill nothing: who acts, what is asked, auxiliaries, "already"."""
         tree = self._sentence.tree
@@ -144,7 +179,10 @@ class DeedClause:
         if self.asks and self._asked_phrase not in (0, self._top):
             outside |= tree.subtree(self._asked_phrase)
         for child in tree.children(self._top):
-            if child.form.lower() in _PADDING or child.deprel in ("punct", "mark", "cc"):
+            form = child.form.lower()
+            # "Do you know *how* to close it?"
+            is_way = form == HOW and self._top != self.features.top
+            if form in _PADDING or child.deprel in ("punct", "mark", "cc") or is_way:
                 outside.add(child.index)
         return frozenset(outside)
 

@@ -6,7 +6,7 @@ What the robot does is known from its log. What others do is known by what it re
 from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional
 
-from semantic_framer.clauses.deed_clauses import AGENT, DeedClause, of_own_deed
+from semantic_framer.clauses.deed_clauses import AGENT, DeedClause, of_own_deed, with_going
 from semantic_framer.clauses.state_clauses import state_clause
 from semantic_framer.clauses.state_phrases import WHETHER
 from semantic_framer.filling.matching import match_units
@@ -131,6 +131,7 @@ def event_condition(
         is_of_the_past: whether only the log of the robot is asked, which knows its waits, too; "until you have waited"
             is a time
     """
+    sentence, features = with_going(sentence, features)
     top = features.top
     if sentence.word(top).upos != "VERB":
         return None

@@ -51,7 +51,7 @@ _COLOURS = word_class("colour_nouns")
 _HELD = word_class("verbs_of_holding")
 _HANDS = word_class("hand_nouns")
 _SEEN = word_class("verbs_of_seeing")
-_KNOWN = "know"
+_KNOWN, _BEEN = "know", "been"
 _FOUND = word_class("verbs_of_finding_places")
 _GONE = word_class("verbs_of_getting_somewhere")
 
@@ -118,6 +118,10 @@ class _OfBe(StatePhrases):
 
     def _of_predicate(self, subject: Word) -> Optional[StateClause]:
         top, form = self._top, self._top.form.lower()
+        # "Which rooms have you *been* to" asks for what it did.
+        is_over = self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
+        if is_over and subject.form.lower() in US and any(c.form.lower() == _BEEN for c in self._children):
+            return None
         if form in _WHERE:
             return self._where(subject)
         if form in WHO and subject.form.lower() in HERE:

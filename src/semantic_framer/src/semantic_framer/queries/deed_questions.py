@@ -7,7 +7,7 @@ what is asked: whether, when, where, why, how often, who, or one of the elements
 from dataclasses import replace
 from typing import Optional, Sequence, Tuple
 
-from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause, of_own_deed
+from semantic_framer.clauses.deed_clauses import HOW, WHETHER, DeedClause, of_own_deed, with_going
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_among, features_of
 from semantic_framer.kinds.question_extent import words_of_question
@@ -32,6 +32,7 @@ _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_
 _QUESTION_WORDS = word_class("question_words")
 _PLEASE = "please"
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+_INFINITIVES = frozenset(["xcomp", "ccomp", "csubj"])
 #: "Could you close it" is a request, whatever it is embedded in.
 _CAN = "can"
 _ABILITIES = frozenset([_CAN, "ca"])
@@ -138,12 +139,17 @@ def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:
 
 
 def _asked_of(case: Case, features: ClauseFeatures, context: Context) -> Tuple[Reading, ...]:
-    sentence, known = case.sentence, case.known
+    known = case.known
+    sentence, features = with_going(case.sentence, features)
+    case = replace(case, sentence=sentence)
     if features.form is Form.POLAR:  # "Tell me when you are docked" asks for no time.
         features = of_own_deed(sentence, features, known)
     top, features = _of_what_is_meant(sentence, features.top, features)
     aspect = _aspect(features)
-    is_state = any(child.deprel == "cop" for child in sentence.children(top))
+    # "Is it closed" asks for a state, "when was it closed" for a deed.
+    is_state = not (features.is_passive and features.asked) and any(
+        child.deprel == "cop" for child in sentence.children(top)
+    )
     if features.form is Form.PLAIN or not aspect or is_state or not (features.agent or features.is_passive):
         return ()
     clause = DeedClause(case, top, features)
@@ -181,13 +187,23 @@ def _aspect(features: ClauseFeatures) -> str:
 
 def _of_what_is_meant(sentence: Sentence, top: int, features: ClauseFeatures) -> Tuple[int, ClauseFeatures]:
     """Return the verb of "are you *going to close* the door", with when it happens; others stay as they are."""
-    word = sentence.word(top)
-    inner = next((child for child in sentence.children(top) if child.deprel == "xcomp" and child.upos == "VERB"), None)
-    if inner is None or not features.agent or not sentence.tree.is_infinitive(inner.index):
+    lemma = sentence.word(top).lemma.lower()
+    inside = [child for child in sentence.children(top) if child.deprel in _INFINITIVES and child.upos == "VERB"]
+    inner = next((child for child in inside if sentence.tree.is_infinitive(child.index)), None)
+    if inner is None:
         return top, features
-    if word.lemma.lower() == "go" and features.aspect is Aspect.RUNNING:
+    if lemma == "take" and features.asked:
+        # "How long did it take *you* to close it?"
+        who = next((child.index for child in sentence.children(top) if child.deprel in ("obj", "iobj")), 0)
+        return (inner.index, replace(features, agent=who)) if who else (top, features)
+    if not features.agent:
+        return top, features
+    if lemma == "go" and features.aspect is Aspect.RUNNING:
         return inner.index, replace(features, aspect=Aspect.PLANNED)
-    if word.lemma.lower() == ABLE:
+    if lemma == "need" and features.asked:
+        return inner.index, features
+    is_known = lemma == "know" and any(child.form.lower() == HOW for child in sentence.children(inner.index))
+    if lemma == ABLE or is_known:
         return inner.index, replace(features, modal=_CAN)
     return top, features
 

@@ -176,8 +176,8 @@ class _Match:
     def elements(self) -> Optional[Dict[str, Tuple[int, ...]]]:
         """Return the words of each element; None if the clause does not have this shape."""
         shape, features = self._shape, self._clause.features
-        # "Will" says when.
-        modal = "" if features.modal in _FUTURE else features.modal
+        # "Will" says when; "can't" is two words.
+        modal = "" if features.modal in _FUTURE else "can" if features.modal == "ca" else features.modal
         modal_fits = (modal or NOBODY) in (shape.modals or (NOBODY,))
         is_denied_fitly = features.is_negated == shape.is_negated or self._clause.asks == "why"
         if self._clause.asks not in shape.asks or not modal_fits or not is_denied_fitly:

@@ -142,7 +142,9 @@ def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     # A pattern that holds each word knows best: "how many orders do you have".
     if whole is None or (found and not found[0].arguments):
         return found
-    found = state_question(case, whole) or found
+    # "Was it closed *by you*" asks for a deed, "was it closed" for a state.
+    by_somebody = deed_question(case, whole, context) if whole.is_passive and whole.agent and not found else ()
+    found = by_somebody or state_question(case, whole) or found
     # "Can you see to the washing" asks for it to be done.
     return found or (deed_question(case, whole, context) if not case.acts else ())
 
