@@ -8,18 +8,17 @@ pass can lose a word behind its back.
 
 import re
 import unicodedata
-from dataclasses import dataclass
-from difflib import SequenceMatcher
 from html import unescape
 from typing import AbstractSet, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
+from semantic_framer.judging.rewritten_words import RUN, lost_in_rewriting, said_words, unread_length
 from semantic_framer.judging.unread_words import shipped_unread_words
 from semantic_framer.values.reading import Reading
-from semantic_types.parts_of_speech import NOUN, VERB, base_forms, parts_of_speech
+from semantic_types.parts_of_speech import VERB, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.asides.objections import plain
 from utterance_passes.deeds.avoided_places import PREPOSITION
-from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
+from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, pattern_of
 from utterance_passes.trees.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
@@ -47,12 +46,6 @@ _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
 _HEDGES = word_class("hedges")
-_HESITATION = pattern_of("phrases_of_hesitation")
-_BROKEN_OFF = re.compile(r"-,?\s")
-_GROUP = re.compile(r"\\\d")
-#: Of two spellings of one word: "rihgt" and "right".
-_LEAST_LIKENESS = 0.5
-_SENTENCE = re.compile(r"(?<=[.!?] )[^.!?]+[.!?]*|^[^.!?]+[.!?]*")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -65,8 +58,6 @@ _WISHES = (
     | word_class("causative_verbs")
     | word_class("verbs_of_duty")
 )
-#: A letter, a digit, or a sign of either.
-_RUN = re.compile(r"[^\W_]+")
 
 
 def positions_named(readings: Iterable[Reading]) -> FrozenSet[int]:
@@ -109,20 +100,6 @@ def words_left(
     return _Check(tree, readings, others, is_asked).left()
 
 
-@dataclass(frozen=True)
-class _Said:
-    """A word of the text: letters and digits without a mark between them."""
-
-    form: str
-    start: int
-    end: int
-
-    def is_at(self, word: Word) -> bool:
-        """Whether a word of the tree stands in this place of the text."""
-        is_inside = word.start_character <= self.start and self.end <= word.end_character
-        return is_inside or word.start_character == self.start
-
-
 class _Check:
     def __init__(
         self, tree: DependencyTree, readings: Sequence[Reading], others: AbstractSet[int], is_asked: bool
@@ -133,22 +110,22 @@ class _Check:
         self._lemmas = frozenset(lemma for one in arguments for lemma in _lemmas(one))
         self._is_asked = is_asked
         self._named = positions_named(readings) | others
-        self._words = [word for word in tree.words if _RUN.search(word.form)]
+        self._words = [word for word in tree.words if RUN.search(word.form)]
         self._forms = [word.form.lower().replace("\u2019", "'") for word in self._words]
-        self._said = _said(tree.text)
-        self._forms_said = frozenset(one.form for one in self._said)
+        self._forms_said = frozenset(one.form for one in said_words(tree.text))
         self._understood = self._named | self._opening() | self._excluded()
         self._covered = self._phrases() | self._understood
 
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
-        places = {one.start: self._tree.text[one.start : one.end] for one in self._lost_in_rewriting()}
+        places = {
+            one.start: self._tree.text[one.start : one.end]
+            for one in lost_in_rewriting(self._tree, self._understood, self._named, self._lemmas)
+        }
         places.update((word.start_character, word.form) for word in (*self._torn(), *self._denied()))
         for run in self._runs():
             places.update((word.start_character, word.form) for word in self._unread_of(run))
         return (*(places[place] for place in sorted(places)), *_signs(self._tree.text))
-
-    # --- words of the tree
 
     def _torn(self) -> List[Word]:
         """Return the words of phrases of which a part fills another element: "the door *left* of you", "*an angle of*
@@ -239,7 +216,7 @@ class _Check:
         while place < len(run):
             if self._is_reason(run[place:], forms[place:]):
                 return left  # It is no deed.
-            length = _formula_length(forms[place:]) or _unread_length(forms[place:])
+            length = _formula_length(forms[place:]) or unread_length(forms[place:])
             if not length and not self._is_accounted_for(run[place]):
                 left.append(run[place])
             place += length or 1
@@ -323,115 +300,6 @@ class _Check:
         thing = self._tree.word(word.index + 1) if is_number else word
         is_left = thing.upos == "NOUN" and thing.deprel == ASIDE and thing.index not in self._named
         return is_left and thing.lemma.lower() in self._lemmas
-
-    # --- words of the text that the tree does not have
-
-    def _lost_in_rewriting(self) -> List[_Said]:
-        """Return the words of the text that passes took out, or wrote in a way that means nothing."""
-        said = self._said
-        written = [(part, word.index) for word in self._tree.words for part in _RUN.findall(_plain(word.form))]
-        matcher = SequenceMatcher(None, [one.form for one in said], [form for form, _ in written], autojunk=False)
-        gone: List[_Said] = []
-        new: List[Tuple[str, int]] = []
-        for tag, first, last, begin, end in matcher.get_opcodes():
-            if tag == "equal":
-                continue
-            block, words = said[first:last], written[begin:end]
-            if "".join(one.form for one in block) == "".join(form for form, _ in words):
-                continue
-            is_meant = any(index in self._understood for _, index in words)
-            if block and is_meant and tag == "replace":
-                places = {self._tree.word(index) for _, index in words}
-                beyond = _beyond(block, [form for form, _ in words])
-                gone += [one for one in beyond if not any(one.is_at(word) for word in places)]
-                continue
-            new += words
-            if block and not _is_taken_back(self._tree.text, said, first, last):
-                gone += block
-        moved = [form for form, _ in new]
-        left = []
-        for one in gone:
-            if one.form in moved:
-                moved.remove(one.form)
-            else:
-                left.append(one)
-        spans = self._spans_written_out() if left else ()
-        left = [one for one in left if not any(start <= one.start < end for start, end in spans)]
-        things = {place for place, one in enumerate(said) if self._lemmas & set(base_forms(one.form, NOUN))}
-        told = {said[place].start for thing in things for place in (thing - 1, thing) if place >= 0}
-        # "*Two bottles*, one of water and one of milk" are one bottle of water and one bottle of milk.
-        return _not_unread([one for one in left if one.start not in told], said)
-
-    def _spans_written_out(self) -> List[Tuple[int, int]]:
-        """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
-        *know*" is "tell Bob"."""
-        named = {_plain(self._tree.word(index).form) for index in self._named if 0 < index <= len(self._tree.words)}
-        texts = [(0, self._tree.text.lower())]
-        texts += [(part.start(), part.group().lower().rstrip()) for part in _SENTENCE.finditer(self._tree.text)]
-        return [
-            (start + match.start(), start + match.end())
-            for formula in shipped_formulas()[WRITTEN_OUT]
-            if formula.says or named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
-            for start, text in texts
-            for match in formula.pattern.finditer(text)
-        ]
-
-
-def _plain(text: str) -> str:
-    return unicodedata.normalize("NFKC", text).lower()
-
-
-def _said(text: str) -> List[_Said]:
-    return [_Said(_plain(match.group()), *match.span()) for match in _RUN.finditer(text)]
-
-
-def _beyond(said: Sequence[_Said], written: Sequence[str]) -> List[_Said]:
-    """Return the words for which none is written: a written word stands for the one that it is most like, if any."""
-    left = list(said)
-    for form in written:
-        alike = [(SequenceMatcher(None, one.form, form, autojunk=False).ratio(), one) for one in left]
-        likeness, nearest = max(alike, key=lambda pair: pair[0], default=(0.0, None))
-        if nearest is not None and likeness >= _LEAST_LIKENESS:
-            left.remove(nearest)
-    return left
-
-
-def _is_taken_back(text: str, said: Sequence[_Said], first: int, last: int) -> bool:
-    """Whether words that were taken out were broken off, said for thinking, or are said again."""
-    block = [one.form for one in said[first:last]]
-    if block == [one.form for one in said[last : last + len(block)]]:
-        return True
-    if block == [one.form for one in said[max(0, first - len(block)) : first]]:
-        return True
-    # "Turn left turn forty degrees left": all words are said again, in their order.
-    left = iter([one.form for one in said[last:]])
-    if last < len(said) and len(block) > 1 and block[0] == said[last].form and all(form in left for form in block):
-        return True
-    is_broken_off = any(_BROKEN_OFF.match(text, one.end) for one in said[first:last])
-    return is_broken_off or any(is_filler(form) for form in block)
-
-
-def _not_unread(words: List[_Said], said: Sequence[_Said]) -> List[_Said]:
-    """Return the words that may not go unread where they stand in the text."""
-    forms = [one.form for one in said]
-    unread: Set[int] = set()
-    for place in range(len(said)):
-        length = max(_unread_length(forms[place:]), _hesitation_length(forms[place:]))
-        unread.update(one.start for one in said[place : place + length])
-    return [one for one in words if one.start not in unread]
-
-
-def _unread_length(forms: Sequence[str]) -> int:
-    if not forms:
-        return 0
-    length = shipped_unread_words().at(forms)[1]
-    return length or int(is_filler(forms[0]))
-
-
-def _hesitation_length(forms: Sequence[str]) -> int:
-    """Return the number of words at the front that are only said for thinking: "you know", "like"."""
-    lengths = (length for length in (2, 1) if _HESITATION.fullmatch(" ".join(forms[:length])))
-    return next(lengths, int(forms[:1] == ["like"]))
 
 
 def _signs(text: str) -> Tuple[str, ...]:
