@@ -9,7 +9,8 @@ from typing import Callable, Dict, Iterator, Mapping, NamedTuple, Sequence, Tupl
 
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.filling.attachment import is_direction
-from semantic_framer.filling.matching import DIRECTIONAL, match_units
+from semantic_framer.filling.matching import match_units
+from semantic_framer.filling.relation_paths import DIRECTIONAL
 from semantic_framer.referring.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.units.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.units.framed_lexicon import FramedLexicon

@@ -6,7 +6,7 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tupl
 from frame_learning.annotated_sentences import AnnotatedSentence, Span
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.filling.attachment import places_before
-from semantic_framer.filling.matching import DIRECTIONAL
+from semantic_framer.filling.relation_paths import DIRECTIONAL
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
