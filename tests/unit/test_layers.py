@@ -262,8 +262,8 @@ def levels(graph: Dict[str, Set[str]]) -> Dict[str, int]:
     return found
 
 
-# Conditions and questions are filled by units as commands are, and so stand above them.
-@pytest.mark.parametrize("name, most", [("semantic_framer", 13), ("utterance_passes", 7), ("offline_pipeline", 3)])
+# The two largest packages have rooms, and test_rooms.py counts their floors.
+@pytest.mark.parametrize("name, most", [("utterance_passes", 7), ("offline_pipeline", 3)])
 def test_packages_have_few_levels(name: str, most: int) -> None:
     floors = levels(internal_imports(name))
     assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])

@@ -5,8 +5,8 @@ from itertools import takewhile
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
-from semantic_framer.changing.fragments import answering_words
-from semantic_framer.filling.attachment import is_direction, words_before_amount
+from semantic_framer.clauses.fragments import answering_words
+from semantic_framer.filling.attachment import words_before_amount
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import kind_without_clause, kinds_of_clauses
 from semantic_framer.referring.chosen_things import chosen, nearest_of
@@ -18,7 +18,7 @@ from semantic_framer.values.clause_plan import PlanPart
 from semantic_framer.values.dialogue import PRONOUNS, Pending, is_ignorant, is_indifferent, is_yes
 from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
-from semantic_framer.values.things import is_unfinished
+from semantic_framer.values.things import is_direction, is_unfinished
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from typed_arguments import TypedArgument
 from utterance_passes.phrases.amounts import Amount

@@ -11,9 +11,8 @@ from typing import Dict, List, Optional, Sequence, Tuple
 from phrase_meanings.arguments import amount_argument, on_other_side, unit_argument
 from phrase_meanings.head_words import ONES
 from semantic_framer.changing.fragment_phrases import FragmentPhrases, measured
-from semantic_framer.changing.fragments import Fragment
 from semantic_framer.changing.paces import PACES, at_pace, pace_element
-from semantic_framer.filling.slight_amounts import slight_amount, stated
+from semantic_framer.clauses.fragments import Fragment
 from semantic_framer.filling.unheeded import without_unheeded
 from semantic_framer.units.frame_roles import MESSAGE
 from semantic_framer.units.framed_lexicon import FramedLexicon
@@ -21,6 +20,7 @@ from semantic_framer.values.dialogue import LastCommand
 from semantic_framer.values.fragment_kind import FragmentKind
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import slight_amount, stated
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import without_any_position

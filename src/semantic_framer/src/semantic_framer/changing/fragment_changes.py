@@ -5,8 +5,8 @@ from typing import FrozenSet, Optional, Sequence
 
 from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer.changing.amending import Clauses, amended, measured
-from semantic_framer.changing.fragments import Fragment, fragment_of
 from semantic_framer.changing.paces import PACES
+from semantic_framer.clauses.fragments import Fragment, fragment_of
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context, LastCommand
 from semantic_framer.values.fragment_kind import FragmentKind

@@ -11,7 +11,7 @@ from typing import FrozenSet, List, Optional, Tuple
 
 from phrase_meanings.arguments import of_same_kind, resolved
 from phrase_meanings.head_words import ONES, property_alone
-from semantic_framer.changing.fragments import Fragment
+from semantic_framer.clauses.fragments import Fragment
 from semantic_framer.filling.matching import match_units
 from semantic_framer.referring.kinds_spoken_of import so_many
 from semantic_framer.referring.references import noun_phrase

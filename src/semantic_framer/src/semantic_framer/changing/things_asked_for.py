@@ -4,7 +4,7 @@ and its measure is to be gone, "forward two metres", "left 90 degrees"; a device
 from dataclasses import replace
 from typing import FrozenSet, Optional, Sequence
 
-from semantic_framer.changing.fragments import fragment_of
+from semantic_framer.clauses.fragments import fragment_of
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.fragment_kind import FragmentKind
 from semantic_framer.values.outcome import Understood

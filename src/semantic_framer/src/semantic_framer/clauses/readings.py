@@ -6,7 +6,6 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple, Union
 from semantic_framer.filling.control import ITERATION, kept_up, with_duration, with_times
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.filling.matching import match_units
-from semantic_framer.filling.slight_amounts import stated
 from semantic_framer.filling.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.judging.verdicts import (
     CLAUSE_VERDICTS,
@@ -25,6 +24,7 @@ from semantic_framer.values.dialogue import Context, Lesson
 from semantic_framer.values.outcome import CAREFUL, Outcome, Refusal
 from semantic_framer.values.reading import Reading, rank, without_duplicates
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import stated
 from semantic_framer.values.things import is_indefinite
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import TypedArgument

@@ -5,6 +5,7 @@ for it.
 from typing import AbstractSet, Collection, Container, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
 from semantic_framer.units.frame_roles import DIRECTION
+from semantic_framer.values.things import is_direction
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -19,7 +20,6 @@ from word_classes import word_class
 #: These prepositions identify a thing or person only directly after its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
-_ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
 _INDEFINITES = word_class("indefinites")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
@@ -239,11 +239,6 @@ def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
         found.append(position)
         position -= 1
     return frozenset(found)
-
-
-def is_direction(tree: DependencyTree, index: int) -> bool:
-    """Whether a word names a direction: "east", "left"."""
-    return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
 def lost_directions(tree: DependencyTree, frame: SemanticFrame, arguments: Iterable[TypedArgument]) -> FrozenSet[int]:

@@ -4,11 +4,11 @@ from dataclasses import replace
 from typing import Collection, FrozenSet, Mapping
 
 from phrase_meanings.arguments import default_argument
-from semantic_framer.filling.attachment import is_direction
 from semantic_framer.units.frame_roles import DIRECTION
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.things import is_direction
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_types import Fit
 from typed_arguments import Source, TypedArgument

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, Optional, Sequence, Tuple
 
-from semantic_framer.filling.slight_amounts import slight_amount, slight_words
 from semantic_framer.units.frame_roles import OPERATIONAL_STATE
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import slight_amount, slight_words
 from semantic_frames.frame import Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE

@@ -4,10 +4,9 @@ from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
 from phrase_meanings.head_words import is_side_of_something
-from semantic_framer.filling.attachment import is_direction
 from semantic_framer.units.frame_roles import MESSAGE, NO_THINGS, PLACES, THEME, THINGS
 from semantic_framer.values.reading import Reading
-from semantic_framer.values.things import is_indefinite, is_no_thing
+from semantic_framer.values.things import is_direction, is_indefinite, is_no_thing
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE

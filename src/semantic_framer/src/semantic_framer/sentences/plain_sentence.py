@@ -11,6 +11,7 @@ from semantic_framer.clauses.deed_clauses import DeedClause
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.readings import Heard
+from semantic_framer.clauses.state_questions import state_question
 from semantic_framer.filling.descriptions import relative_clauses
 from semantic_framer.judging.said_words import positions_named
 from semantic_framer.judging.sentence_verdicts import words_outside
@@ -28,7 +29,6 @@ from semantic_framer.queries.deed_questions import (
 )
 from semantic_framer.queries.questions import question_readings
 from semantic_framer.queries.shaped_clauses import own_question
-from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
 from semantic_framer.sentences.small_talk import answer_small_talk, small_talk_of

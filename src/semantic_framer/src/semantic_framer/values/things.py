@@ -1,4 +1,4 @@
-"""Finds nouns that are not things (deeds, events, ways and vehicles), and phrases without a noun."""
+"""Finds nouns that are no things (deeds, events, ways and vehicles), phrases without a noun, names of directions."""
 
 from typing import Sequence
 
@@ -6,6 +6,7 @@ from semantic_types.parts_of_speech import parts_of_speech
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
 
+_ALL_DIRECTIONS = word_class("all_directions")
 _DEEDS = word_class("deed_nouns")
 _DEEDS_BROUGHT_ABOUT = word_class("deed_nouns_brought_about")
 _DEEDS_SET = word_class("deed_nouns_set")
@@ -87,3 +88,8 @@ def _may_be_pronoun(form: str) -> bool:
     single = {form[:at] + form[at + 1 :] for at in pairs if form[at] == form[at + 1]}
     swapped = {form[:at] + form[at + 1] + form[at] + form[at + 2 :] for at in pairs}
     return bool(_OBJECT_PRONOUNS & (single | swapped))
+
+
+def is_direction(tree: DependencyTree, index: int) -> bool:
+    """Whether a word names a direction: "east", "left"."""
+    return tree.word(index).form.lower() in _ALL_DIRECTIONS

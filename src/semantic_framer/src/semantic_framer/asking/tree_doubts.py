@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Callable, Dict, Iterator, Mapping, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clauses.readings import Heard
-from semantic_framer.filling.attachment import is_direction
 from semantic_framer.filling.matching import match_units
 from semantic_framer.filling.relation_paths import DIRECTIONAL
 from semantic_framer.referring.persons_spoken_of import PERSONAL_PRONOUNS
@@ -17,6 +16,7 @@ from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.outcome import Understood
 from semantic_framer.values.reading import Reading, heads_of
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.things import is_direction
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, Likelihoods
 from typed_arguments import TypedArgument
