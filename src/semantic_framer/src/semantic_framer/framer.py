@@ -314,7 +314,7 @@ class _Utterance:
         elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
         # "Right" may be a direction; any other yes names nothing: "that is what I want".
         named = {value for one in elements if one is not None for value in one.values}
-        if elements and agreement(tree.text) and named.isdisjoint(word.form.lower() for word in tree.words):
+        if elements and agreement(tree.text) and named.isdisjoint(word.said for word in tree.words):
             return None
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)

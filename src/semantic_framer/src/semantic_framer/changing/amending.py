@@ -72,7 +72,7 @@ def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: Fr
 
 def _may_repeat(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> bool:
     """Whether a fragment may mean the last command: "tell him again" does only if something was said."""
-    says = any(known.speech_of(sentence.word(index).form.lower()) is not None for index in fragment.positions)
+    says = any(known.speech_of(sentence.word(index).said) is not None for index in fragment.positions)
     return not says or any(MESSAGE in known.frames[readings[0].unit.frame_name].roles for readings in last.clauses)
 
 
@@ -132,7 +132,7 @@ class _Amending:
             return self._with_a_bit()
         if kind in PACES:
             return self._at_pace(PACES[kind])
-        *before, last = (self._tree.word(index).form.lower() for index in self._fragment.positions)
+        *before, last = (self._tree.word(index).said for index in self._fragment.positions)
         if kind is FragmentKind.ONE_MORE:
             found = self._phrases.counted()
         elif kind is FragmentKind.OPPOSITE or last in ONES or (before == ["the"] and last in _OPPOSITES):
@@ -205,7 +205,7 @@ class _Amending:
         """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right
         one"); nothing if there is none.
         """
-        named = [self._tree.word(index).form.lower() for index in self._fragment.positions]
+        named = [self._tree.word(index).said for index in self._fragment.positions]
         sides = [form for form in named if form in _OPPOSITES]
         found = []
         for argument in self._reading.arguments:

@@ -62,7 +62,7 @@ class FragmentPhrases:
         if not head or self._person_and_thing is not None:
             return ()
         named = property_alone(self._tree.word(head))
-        is_one = named is not None or self._tree.word(head).form.lower() in ONES
+        is_one = named is not None or self._tree.word(head).said in ONES
         slots = [
             (argument, element)
             for argument in self._reading.arguments
@@ -112,7 +112,7 @@ class FragmentPhrases:
         """
         kept = frozenset(self._fragment.positions)
         tops = [index for index in kept if self._tree.word(index).head not in kept]
-        cases = [child.form.lower() for index in tops for child in self._tree.children(index) if child.deprel == "case"]
+        cases = [said for index in tops for said in self._tree.said_prepositions(index)]
         phrases = [one for one in self._reading.arguments if one.relation]
         places = [one for one in phrases if frozenset([one.relation, *cases]) <= _PLACE_PREPOSITIONS]
         before = [one for one in phrases if [one.relation] == cases] or places
@@ -131,19 +131,19 @@ class FragmentPhrases:
         inside = [self._tree.word(index) for index in self._fragment.positions if index > tops[0]]
         is_in_phrase = any(
             word.deprel in ("case", "mark", "compound:prt")
-            or (word.deprel == "det" and self._tree.word(word.head).deprel != "conj")
+            or (word.deprel == "det" and self._tree.governor(word).deprel != "conj")
             for word in inside
         )
-        is_in_phrase |= any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
+        is_in_phrase |= any(child.index in kept for child in self._tree.prepositions(tops[0]))
         spoken = [index for index in self._fragment.positions if self._tree.word(index).upos != "PUNCT"]
         is_amount = any(
             amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
         )
-        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in ONES) else tops[0]
+        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).said not in ONES) else tops[0]
 
     def _is_property(self, head: int) -> bool:
         """Whether a fragment names a thing only by a property: "no, *the smallest*"."""
-        said = [self._tree.word(index).form.lower() for index in self._fragment.positions]
+        said = [self._tree.word(index).said for index in self._fragment.positions]
         return property_alone(self._tree.word(head)) is not None and said[0] == "the" and len(said) == 2
 
     @cached_property
@@ -153,7 +153,7 @@ class FragmentPhrases:
         """
         for before, first in zip(self._fragment.positions, self._fragment.positions[1:]):
             person, article = self._tree.word(before), self._tree.word(first)
-            is_anybody = is_person_or_name(person) or person.form.lower() in _PERSONS
+            is_anybody = is_person_or_name(person) or person.said in _PERSONS
             if not is_anybody or not (article.upos == "DET" or article.deprel == "nmod:poss"):
                 continue
             behind = [index for index in self._fragment.positions if index >= first]

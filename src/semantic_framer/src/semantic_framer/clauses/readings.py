@@ -277,7 +277,7 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
         for index in sorted(clause.positions)
         if index in tree.quoted or not (index in around or _is_around(tree.word(index), clause))
     ]
-    while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
+    while said and said[0] != clause.verb and tree.word(said[0]).said in _SAID_AROUND | _JOINING:
         del said[0]
     written = [as_written(tree, tree.word(index)) for index in said]
     # The person sees what a typo was taken for.

@@ -186,7 +186,7 @@ class _Filling:
         if head == self._tried.subject and not self._clause.subject:
             self._tried.note("shared_subject", [head], f"{name} of this clause too")
         elif head in self._paths.moved:
-            governor = self._sentence.word(self._sentence.word(head).head).form
+            governor = self._sentence.tree.governor(self._sentence.word(head)).form
             self._tried.note("reattached", self._sentence.subtree(head), f"{name} of the verb, not part of {governor}")
 
     def _is_in_clause(self, head: int) -> bool:
@@ -194,4 +194,4 @@ class _Filling:
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether a word is an adverb of manner ("slowly", "forward") and so neither a thing nor a place."""
-        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
+        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).said not in _DESTINATION_ADVERBS

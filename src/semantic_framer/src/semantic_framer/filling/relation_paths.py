@@ -87,9 +87,7 @@ class RelationFollower:
                     found += behind_description(self._tree, inner.index, below)
         if not found:
             return found
-        particle = [
-            index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
-        ]
+        particle = [index for index in self._match.positions[1:] if self._sentence.word(index).said == preposition]
         heads = [
             head
             for head in found

@@ -19,7 +19,7 @@ from typed_arguments import TypedArgument
 from utterance_passes.asides.objections import plain
 from utterance_passes.deeds.avoided_places import PREPOSITION
 from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, pattern_of
-from utterance_passes.trees.tree import ABANDONED, ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ABANDONED, ASIDE, NOMINALS, DependencyTree, Word
 from word_classes import word_class
 
 #: Name of the check in the trace.
@@ -111,7 +111,7 @@ class _Check:
         self._is_asked = is_asked
         self._named = positions_named(readings) | others
         self._words = [word for word in tree.words if RUN.search(word.form)]
-        self._forms = [word.form.lower().replace("\u2019", "'") for word in self._words]
+        self._forms = [word.said.replace("\u2019", "'") for word in self._words]
         self._forms_said = frozenset(one.form for one in said_words(tree.text))
         self._understood = self._named | self._opening() | self._excluded()
         self._covered = self._phrases() | self._understood
@@ -135,9 +135,9 @@ class _Check:
             inside = range(min(argument.positions, default=0), max(argument.positions, default=0))
             taken = {index for one in self._arguments if one is not argument for index in one.positions}
             words = [self._tree.word(index) for index in inside if index in taken - {*argument.positions}]
-            found += [word for word in words if word.form.lower() in _DIRECTIONS]
+            found += [word for word in words if word.said in _DIRECTIONS]
             last = self._tree.word(max(argument.positions)) if argument.positions else None
-            if last is not None and last.form.lower() == "of" and last.head in taken:
+            if last is not None and last.said == "of" and last.head in taken:
                 found += [self._tree.word(index) for index in argument.positions]
         return found
 
@@ -148,16 +148,16 @@ class _Check:
         found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
-        return found + [word for word in words if word.form.lower() == _EACH]
+        return found + [word for word in words if word.said == _EACH]
 
     def _denies(self, word: Word) -> bool:
         """Whether a word denies the noun on which it hangs, and no clause; an order of deeds is read elsewhere."""
-        form, noun = word.form.lower(), self._tree.word(word.head)
+        form, noun = word.said, self._tree.governor(word)
         if form == "no":
             return word.deprel == "discourse"
-        behind = self._tree.words[word.index].form.lower() if word.index < len(self._tree.words) else ""
+        behind = self._tree.words[word.index].said if word.index < len(self._tree.words) else ""
         is_clause = any(child.deprel == "cop" for child in self._tree.children(noun.index))
-        is_denied = form == "not" and word.deprel == "advmod" and noun.upos in ("NOUN", "PROPN", "PRON")
+        is_denied = form == "not" and word.deprel == "advmod" and noun.upos in NOMINALS
         return is_denied and not is_clause and behind not in ("before", "after")
 
     def _phrases(self) -> FrozenSet[int]:
@@ -183,16 +183,16 @@ class _Check:
         one". It is not done."""
         found: Set[int] = set()
         for place, word in enumerate(self._words):
-            if word.index in found or word.index in self._named or word.form.lower() not in _EXCLUDING:
+            if word.index in found or word.index in self._named or word.said not in _EXCLUDING:
                 continue
             is_of_two = self._forms[place : place + 2] == ["instead", "of"]
             fronts = () if is_of_two else range(max(0, place - _LONGEST), place + 1)
             if any(front + _formula_length(self._forms[front:]) > place for front in fronts):
                 continue  # "If you do *not* mind" forbids nothing.
             behind = self._tree.words[word.index - 1 :]
-            ends = (one.index for one in behind if one.upos == "PUNCT" or one.form.lower() == "but")
+            ends = (one.index for one in behind if one.upos == "PUNCT" or one.said == "but")
             end = next(ends, len(self._tree.words) + 1)
-            first = word.index - (word.index > 1 and self._tree.word(word.index - 1).form.lower() in _DOING)
+            first = word.index - (word.index > 1 and self._tree.word(word.index - 1).said in _DOING)
             found.update(range(first, end))
         return frozenset(found)
 
@@ -210,7 +210,7 @@ class _Check:
 
     def _unread_of(self, run: List[Word]) -> List[Word]:
         """Return the words of a run that are no formula, no mood and no word that may go unread."""
-        forms = [word.form.lower().replace("\u2019", "'") for word in run]
+        forms = [word.said.replace("\u2019", "'") for word in run]
         left: List[Word] = []
         place = 0
         while place < len(run):
@@ -244,7 +244,7 @@ class _Check:
 
     def _is_of_mood(self, word: Word) -> bool:
         """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go", "*start* it"."""
-        form, relation = word.form.lower(), word.deprel.split(":")[0]
+        form, relation = word.said, word.deprel.split(":")[0]
         if (relation in ("aux", "cop") and form in _AUXILIARIES) or (relation == "nsubj" and form in _SUBJECTS):
             return True
         if form in _HEDGES:
@@ -252,14 +252,14 @@ class _Check:
         before = self._tree.word(word.index - 1).lemma.lower() if word.index > 1 else ""
         if form == "by" and before in _ASPECTUAL:
             return True
-        behind = next((one for one in self._tree.words[word.index :] if one.form.lower() not in ("to", "by")), None)
+        behind = next((one for one in self._tree.words[word.index :] if one.said not in ("to", "by")), None)
         if word.lemma.lower() in _ASPECTUAL and behind is not None and behind.index in self._named:
             return True
         return word.lemma.lower() in _WISHES
 
     def _is_of_argument(self, word: Word) -> bool:
         """Whether a word belongs to words that are understood: "make *a* turn", "*for* an hour", "say *that* ..."."""
-        form, is_of_named = word.form.lower(), word.head in self._named
+        form, is_of_named = word.said, word.head in self._named
         if form in _ARTICLES and word.deprel == "det" and is_of_named:
             return True
         if form in _OF_AMOUNTS and self._is_before_amount(word):
@@ -278,7 +278,7 @@ class _Check:
 
     def _is_address(self, word: Word) -> bool:
         """Whether a word calls the hearer."""
-        if word.form.lower() in _ADDRESSED:
+        if word.said in _ADDRESSED:
             return True
         words = self._tree.words
         beside = [*words[max(0, word.index - 2) : word.index - 1], *words[word.index : word.index + 1]]
@@ -289,9 +289,9 @@ class _Check:
 
     def _is_of_exclusion(self, word: Word) -> bool:
         """Whether a word belongs to what is avoided: "without going *through* the hall", "*while* avoiding it"."""
-        form = word.form.lower()
+        form = word.said
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
-        is_excluded = any(one.form.lower() in _EXCLUDING for one in self._tree.words[: word.index])
+        is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
         return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
 
     def _is_of_named_things(self, word: Word) -> bool:

@@ -12,6 +12,7 @@ from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.measures import find_amounts
+from utterance_passes.trees.tree import NOUNS
 from word_classes import word_class
 
 _BORDERS = word_class("clause_borders")
@@ -30,7 +31,7 @@ def condition_places(sentence: Sentence) -> FrozenSet[int]:
     """Return the positions at which a joint with a condition may begin; at most of them none does."""
     links = shipped_links()
     words = spoken_words(sentence)
-    forms = [word.form.lower() for word in words]
+    forms = [word.said for word in words]
     return frozenset(
         word.index
         for place, word in enumerate(words)
@@ -42,25 +43,23 @@ def condition_places(sentence: Sentence) -> FrozenSet[int]:
 def asks_whether(sentence: Sentence) -> bool:
     """Whether a sentence begins as one that asks for a condition: "*is* it open?", "*check whether* it is open"."""
     words = spoken_words(sentence)
-    return bool(words) and (
-        is_auxiliary(words[0]) or bool(shipped_links().check_at([word.form.lower() for word in words]))
-    )
+    return bool(words) and (is_auxiliary(words[0]) or bool(shipped_links().check_at([word.said for word in words])))
 
 
 def answers_a_question(sentence: Sentence) -> bool:
     """Whether a sentence begins with the case in which something is to be done: "*if so,* close it"."""
-    kind, _ = shipped_links().answer_at([word.form.lower() for word in spoken_words(sentence)])
+    kind, _ = shipped_links().answer_at([word.said for word in spoken_words(sentence)])
     return kind is not None
 
 
 def tells_how_long(sentence: Sentence) -> bool:
     """Whether a sentence only says how long something goes on: "*until* she is in the hall", "*for* five minutes"."""
     words = spoken_words(sentence)
-    link, _ = shipped_links().link_at([word.form.lower() for word in words])
+    link, _ = shipped_links().link_at([word.said for word in words])
     if link is not None:
         return link.kind in (LinkKind.UNTIL, LinkKind.WHILE)
     behind = frozenset(word.index for word in words[1:] if word.upos != "PUNCT")
-    amounts = find_amounts(sentence.tree, sorted(behind)) if words and words[0].form.lower() == "for" else ()
+    amounts = find_amounts(sentence.tree, sorted(behind)) if words and words[0].said == "for" else ()
     return any(amount.quantity == "duration" and behind <= frozenset(amount.positions) for amount in amounts)
 
 
@@ -152,7 +151,7 @@ class _Finder:
         for word in self._said.words:
             if word.index in joining or word.head not in joint.positions or word.upos == "PUNCT":
                 continue
-            if word.form.lower() in _BORDERS or word.deprel == "cc":
+            if word.said in _BORDERS or word.deprel == "cc":
                 continue
             children = tree.children(word.index)
             is_deed = bool(self._said.known.verbs_beginning_with(word.lemma.lower())) and not any(
@@ -192,7 +191,7 @@ class _Finder:
         if not order.is_list:
             return replace(joint, order=order), end
         # The items of a new list stay in the sentence.
-        last = max(at for at in range(place, order.border) if self._said.words[at].upos in ("NOUN", "PROPN"))
+        last = max(at for at in range(place, order.border) if self._said.words[at].upos in NOUNS)
         between = frozenset(word.index for word in self._said.words[last + 1 : order.border])
         items = (self._said.words[last].index, self._said.words[order.border].index, self._said.words[end - 1].index)
         return replace(joint, positions=between, first=items[1], order=order, items=items), end

@@ -46,7 +46,7 @@ class LinkWords:
         self.sentence = sentence
         self.known = known
         self.words = spoken_words(sentence)
-        self.forms = [word.form.lower() for word in self.words]
+        self.forms = [word.said for word in self.words]
 
     def joint(self, link: Link, place: int, end: int, length: int, condition: Optional[ConditionPart]) -> Joint:
         """Return the joint of a link whose words, of a length, begin at a place, and that reaches to an end."""

@@ -107,7 +107,7 @@ class LinkedConditions:
         (top,) = tree.children(0)[:1]
         children = tree.children(top.index)
         denying = [child for child in children if child.deprel in ("aux", "advmod") and child.index < top.index]
-        forms = [child.form.lower() for child in denying]
+        forms = [child.said for child in denying]
         is_denied = len(forms) == 2 and forms[0] in _DO and forms[1] in _NEGATIONS
         if not is_denied or any(child.deprel.startswith("nsubj") for child in children):
             return frozenset()

@@ -121,7 +121,7 @@ class _Builder:
         found: List[_Unit] = []
         for unit in units:
             between = range(found[-1].first if found else 1, unit.first)
-            before = {self._sentence.word(index).form.lower() for index in between if index not in taken}
+            before = {self._sentence.word(index).said for index in between if index not in taken}
             if then.intersection(between):
                 before.add("then")
             found.append(replace(unit, before=frozenset(before)))
@@ -242,7 +242,7 @@ class _Builder:
         if not self._orders or node.part.kind != "DO":
             return node
         items = self._table.items(node)
-        names = [frozenset(self._sentence.word(index).form.lower() for index in item.positions) for item in items]
+        names = [frozenset(self._sentence.word(index).said for index in item.positions) for item in items]
         order = sorted_by(names, self._orders)
         if order is None or len(items) < 2:
             return node

@@ -173,7 +173,7 @@ def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
     sentence, known = case.sentence, case.known
     for clause in relative_clauses(sentence, clauses):
         features = features_of(sentence.tree, clause.verb)
-        is_of_robot = features.agent and sentence.word(features.agent).form.lower() in _HEARERS
+        is_of_robot = features.agent and sentence.word(features.agent).said in _HEARERS
         is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
         if not (is_of_robot and is_over and match_verbs(sentence.tree, clause, known)):
             continue
@@ -188,7 +188,7 @@ def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:
     """Whether an utterance is a yes, and no command ("go ahead"); a no may be said against something that runs."""
     words = [word for word in sentence.tree.words if word.upos != "PUNCT"]
-    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].form.lower()))
+    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].said))
     return not is_command and agreement(sentence.tree.text) is True
 
 
