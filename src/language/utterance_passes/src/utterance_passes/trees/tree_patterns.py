@@ -13,7 +13,7 @@ _ANY: FrozenSet[str] = frozenset()
 
 
 def _parent(tree: DependencyTree, word: Word) -> Tuple[Word, ...]:
-    return (tree.word(word.head),) if word.head else ()
+    return (tree.governor(word),) if word.head else ()
 
 
 def _children(tree: DependencyTree, word: Word) -> Tuple[Word, ...]:
