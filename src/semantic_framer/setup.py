@@ -19,7 +19,8 @@ PACKAGES = [
     "semantic_framer.values",
 ]
 DATA = {
-    "semantic_framer.changing": ["beginnings.yaml", "fragments.yaml", "objections.yaml"],
+    "semantic_framer.changing": ["beginnings.yaml", "objections.yaml"],
+    "semantic_framer.clauses": ["fragments.yaml"],
     "semantic_framer.judging": ["unread_words.yaml"],
     "semantic_framer.kinds": ["moods.yaml"],
     "semantic_framer.linking": ["links.yaml"],

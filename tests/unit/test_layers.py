@@ -36,15 +36,6 @@ LANGUAGE = (
     "utterance_passes semantic_framer semantic_frames phrase_meanings semantic_types word_classes spoken_quantities "
     "typed_arguments referring_expressions question_answering condition_watchers stanford_parser_ros"
 ).split()
-#: Classes of more lines, to be divided. This list only gets shorter.
-LONG_CLASSES = {
-    "semantic_framer: SemanticFramer",
-    "semantic_framer: _Amending",
-    "semantic_framer: _Builder",
-    "semantic_framer: _Check",
-    "semantic_framer: _Filling",
-    "semantic_framer: _Finder",
-}
 
 
 def product_modules() -> Iterator[Path]:
@@ -218,7 +209,7 @@ def test_classes_of_the_language_have_at_most_250_lines() -> None:
             for node in ast.parse(text).body if text.count("\n") >= LONGEST_CLASS else ():
                 if isinstance(node, ast.ClassDef) and (node.end_lineno or 0) - node.lineno >= LONGEST_CLASS:
                     found.add(f"{name}: {node.name}")
-    assert found == LONG_CLASSES
+    assert found == set()
 
 
 PACKAGES = list(packages().values())
@@ -271,8 +262,8 @@ def levels(graph: Dict[str, Set[str]]) -> Dict[str, int]:
     return found
 
 
-# Conditions and questions are filled by units as commands are, and so stand above them.
-@pytest.mark.parametrize("name, most", [("semantic_framer", 13), ("utterance_passes", 7), ("offline_pipeline", 3)])
+# The two largest packages have rooms, and test_rooms.py counts their floors.
+@pytest.mark.parametrize("name, most", [("utterance_passes", 7), ("offline_pipeline", 3)])
 def test_packages_have_few_levels(name: str, most: int) -> None:
     floors = levels(internal_imports(name))
     assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])

@@ -1,12 +1,13 @@
 """Rooms: the sub-packages of the two largest packages. Each answers one question, and imports only rooms below it."""
 
 import ast
+import re
 from pathlib import Path
 from typing import Dict, List, Tuple
 
 import pytest
 
-from roboframenet_testing.workspace import imports, modules, package
+from roboframenet_testing.workspace import REPOSITORY, imports, modules, package
 
 #: The rooms of each package, from the lowest up. What stands in no room may import all of them.
 ROOMS = {
@@ -14,6 +15,8 @@ ROOMS = {
     "semantic_framer": "values units kinds filling judging clauses referring queries changing asking linking sentences",
 }
 MOST_ROOMS = 12
+#: A room stands on the floor above the highest room that it imports.
+FLOORS = {"utterance_passes": 3, "semantic_framer": 6}
 #: An arrow from one room to another, with the modules.
 Arrow = Tuple[str, str, str]
 
@@ -64,6 +67,38 @@ def test_a_room_imports_only_rooms_below_it(name: str) -> None:
     found = arrows(name)
     assert len(found) > 20
     assert not upward(found, ROOMS[name].split())
+
+
+def floors(found: List[Arrow], order: List[str]) -> Dict[str, int]:
+    """Return the floor of each room, from 1; the rooms are given from the lowest up."""
+    above: Dict[str, int] = {}
+    for room in order:
+        above[room] = 1 + max((above[other] for one, other, _ in found if one == room), default=0)
+    return above
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_rooms_stand_on_few_floors(name: str) -> None:
+    found = floors(arrows(name), ROOMS[name].split())
+    assert max(found.values()) == FLOORS[name], found
+
+
+def test_floors_are_counted() -> None:
+    found = [("mid", "low", ""), ("high", "low", ""), ("high", "mid", "")]
+    assert floors(found, ["low", "beside", "mid", "high"]) == {"low": 1, "beside": 1, "mid": 2, "high": 3}
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_architecture_names_the_modules_of_each_room(name: str) -> None:
+    rows = re.findall(
+        rf"^\| \[(\w+)\]\(\.\./src/(?:language/)?{name}/.*\| ([\w, ]+) \|$",
+        (REPOSITORY / "docs" / "architecture.md").read_text("utf-8"),
+        re.MULTILINE,
+    )
+    paths = [path for path in folder_of(name).glob("*/*.py") if path.stem != "__init__"]
+    assert {room: text.split(", ") for room, text in rows} == {
+        room: sorted(path.stem for path in paths if path.parent.name == room) for room in ROOMS[name].split()
+    }
 
 
 def test_an_import_upward_is_found() -> None:

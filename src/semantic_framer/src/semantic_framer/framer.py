@@ -8,7 +8,6 @@ from semantic_framer.asking.choices import chosen
 from semantic_framer.asking.nearest_meanings import asked_about
 from semantic_framer.asking.other_trees import best_of_trees
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.asking.teaching import agreed, known_by_heart, taught_in_words
 from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
@@ -34,6 +33,7 @@ from semantic_framer.sentences.linked_sentence import (
     understand_linked,
 )
 from semantic_framer.sentences.plain_sentence import embedded_question, understand_plain
+from semantic_framer.sentences.teaching import agreed, known_by_heart, taught_in_words
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.dialogue import Context, LastQuestion, Pending, is_no
@@ -314,7 +314,7 @@ class _Utterance:
         elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
         # "Right" may be a direction; any other yes names nothing: "that is what I want".
         named = {value for one in elements if one is not None for value in one.values}
-        if elements and agreement(tree.text) and named.isdisjoint(word.form.lower() for word in tree.words):
+        if elements and agreement(tree.text) and named.isdisjoint(word.said for word in tree.words):
             return None
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)

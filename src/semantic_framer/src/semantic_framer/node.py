@@ -3,37 +3,30 @@
 import os
 import threading
 import time
-import uuid
 from dataclasses import dataclass, field, replace
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, Mapping, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
     Command,
     CommandLexicalUnits,
     CommandParse,
-    FileProblem,
     FilledLexicalUnitList,
     Fleet,
     FrameCatalogue,
     FrameServers,
     Reply,
-    SourceFile,
     StopReport,
 )
 from roboframenet_msgs.msg import (
     KnownNames as KnownNamesMessage,
 )
 from roboframenet_msgs.msg import (
-    Lexicon as LexiconMessage,
-)
-from roboframenet_msgs.msg import (
     World as WorldMessage,
 )
-from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+from roboframenet_msgs.srv import AddLexicalUnit
 from std_msgs.msg import String
 
-from checked_files.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from nearest_meaning.learned_file import default_learned_file
 from nearest_meaning.likeness import Likeness
 from roboframenet_ros.command_ids import is_of_agent, is_spoken
@@ -50,13 +43,11 @@ from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.framer import Heard, hear
 from semantic_framer.learning import Learning
+from semantic_framer.ros_lexicon import SharedLexicon
 from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
 from semantic_framer.settings import Settings
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.heeding import FrameHeeding, heeded_elements
-from semantic_framer.units.known_names import KnownNames
-from semantic_framer.units.lexicon import Lexicon
-from semantic_framer.units.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.outcome import Refusal, Understood, reply_outcome
 from semantic_frames import load_frame
@@ -69,8 +60,6 @@ from utterance_passes.trees.tree import DependencyTree
 from world_model import World
 from world_model.ros_messages import world_from_message
 
-#: The node keeps the files that were added while it ran in this private parameter.
-ADDED_LEXICAL_UNITS = "_added_lexical_units"
 #: How long to wait for a frame that was added together with its lexical unit, seconds.
 CATALOGUE_DELAY_S = 1.0
 
@@ -114,40 +103,28 @@ class SemanticFramer:
     """
 
     def __init__(self, settings: Settings, place: Place) -> None:
-        self._place = place
         self._settings = settings
         self._lock = threading.Condition()
-        self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
         self._servers = FrameServers()
         self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
         # Each robot has its own dialogue, and its own servers.
         self._talks: OfEachRobot[_Talk] = OfEachRobot(self._meet)
         self._talks.get("")
-        self._id = uuid.uuid4().hex
         self._units = HandOver("command_lexical_units", CommandLexicalUnits)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
-        self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
-        place.problems.advertise()
         self._stage = Stage("semantic_framer")
         self._replays = ReplayWatch(self._stage, oldest_ns=OLDEST_OF_ALL_NS)
-        self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
-        self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
-        self._is_announced = False
         self._robots = Names({})
         self._world = World()
         self._speaker = settings.speaker
-        self._problem_count = 0
-        self._names = KnownNames(settings.names_file)
-        for problem in self._names.problems:
-            rospy.logerr("refused: %s", problem)
-        self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
-        state = self._files.add(self._configured + tuple(self._added))
+        self._shared = SharedLexicon(settings, place, self._lock)
+        self._lexicon = self._shared.units
         self._likeness = Likeness()
         self._learning = Learning(
             os.path.expanduser(settings.learned_file or default_learned_file()),
             self._lexicon,
-            self._files,
+            self._shared.files,
             warn=rospy.logwarn,
             now=time.time,
         )
@@ -156,17 +133,17 @@ class SemanticFramer:
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
-            rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("known_names", KnownNamesMessage, self._shared.on_names, queue_size=1),
             rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1),
             rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
-        self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
+        self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._shared.on_add)
         rospy.loginfo(
             "ready: %d lexical units, %d verbs, %d problems, %s",
             len(self._lexicon.units),
             len(self._lexicon.verbs),
-            len(state.problems) + len(self._names.problems),
+            self._shared.problem_count,
             settings,
         )
 
@@ -175,52 +152,9 @@ class SemanticFramer:
         values = {"lexical units": len(self._lexicon.units), "frames": len(self._frames)}
         if not self._frames:
             return Health(Level.WARN, "No frame is known: frame_registrar has published none.", values)
-        if self._problem_count:
-            return Health(Level.WARN, f"Problems in files: {self._problem_count}; see file_problems.", values)
+        if self._shared.problem_count:
+            return Health(Level.WARN, f"Problems in files: {self._shared.problem_count}; see file_problems.", values)
         return Health(values=values)
-
-    def _announce(self, state: LexiconState) -> None:
-        """Publish the current state. Only one thread at a time calls this, so the latched message is the newest."""
-        for problem in state.refused:
-            rospy.logerr("refused: %s", problem)
-        self._problem_count = len(self._names.problems) + len(state.problems)
-        self._place.problems.publish(
-            "semantic_framer",
-            [
-                FileProblem(
-                    code=problem.code,
-                    path=problem.path,
-                    line=problem.line,
-                    key=problem.key,
-                    found=problem.found,
-                    expected=problem.expected,
-                    hint=problem.hint,
-                )
-                for problem in self._names.problems + state.problems
-            ],
-        )
-        if state.accepted or state.is_learned or not self._is_announced:
-            # Servers look at each lexicon for what is missing: a refused file changes nothing for them.
-            self._is_announced = True
-            self._lexicon_publisher.publish(
-                LexiconMessage(
-                    framer_id=self._id,
-                    files=[SourceFile(path=path, text=text) for path, text in state.files.items()],
-                )
-            )
-        new = [path for path in state.accepted if path not in self._configured and path not in self._added]
-        if new:
-            self._added += new
-            rospy.set_param(self._place.private + ADDED_LEXICAL_UNITS, self._added)
-
-    def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
-        return AddLexicalUnitResponse(success=not self._files.add([request.absolute_file_path]).refused)
-
-    def _on_names(self, message: KnownNamesMessage) -> None:
-        source = message._connection_header.get("callerid", "known_names")
-        problems = self._names.hear(((known.name, known.semantic_types) for known in message.names), source)
-        if problems:
-            rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
     def _on_fleet(self, message: Fleet) -> None:
         named: Dict[str, Sequence[str]] = {robot.name: robot.spoken_names for robot in message.robots}
@@ -333,7 +267,7 @@ class SemanticFramer:
                     FramedLexicon(
                         self._lexicon,
                         frames,
-                        self._names.types,
+                        self._shared.names.types,
                         self._heeded_by(talk, command.robot),
                         self._world,
                         self._speaker,

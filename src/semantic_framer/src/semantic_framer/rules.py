@@ -4,10 +4,10 @@ from typing import Mapping
 
 from semantic_framer.asking.nearest_meanings import RULE as NEAREST_MEANING
 from semantic_framer.asking.other_trees import RULE as OTHER_GOVERNOR
-from semantic_framer.asking.teaching import RULE as TEACHING
+from semantic_framer.asking.tree_doubts import DOUBTS
 from semantic_framer.judging.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
 from semantic_framer.judging.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
-from semantic_framer.referring.tree_doubts import DOUBTS
+from semantic_framer.sentences.teaching import RULE as TEACHING
 
 #: Verdicts that only say why nothing can be done; without them there would be no reading and no refusal.
 _ALWAYS_ON = frozenset(["no_verb", "unknown_verb", "nothing_fits"])

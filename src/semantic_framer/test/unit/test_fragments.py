@@ -5,7 +5,7 @@ from typing import Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.changing.fragments import shipped_fragments
+from semantic_framer.clauses.fragments import shipped_fragments
 from semantic_framer.framer import Policy, Question, Refusal, Understood, hear
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon

@@ -34,7 +34,7 @@ FOLLOW_THE_GUY_WITH_A_HAT = (
 
 
 def test_a_place_behind_a_thing_is_postmodifier_of_one():
-    assert is_postmodifier_of(sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT), 6, 3, is_described=False)
+    assert is_postmodifier_of(sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT).tree, 6, 3, is_described=False)
 
 
 def test_with_describes_only_what_the_verb_is_about():
@@ -45,12 +45,12 @@ def test_with_describes_only_what_the_verb_is_about():
 
 def test_a_direction_is_a_side_where_of_follows():
     to_the_left = ("go VERB 0 root", "to ADP 4 case", "the DET 4 det", "left NOUN 1 obl")
-    assert not is_side_of_something(sentence(*to_the_left), 4)
-    assert is_side_of_something(sentence(*to_the_left, "of ADP 6 case", "tables NOUN 4 nmod"), 4)
+    assert not is_side_of_something(sentence(*to_the_left).tree, 4)
+    assert is_side_of_something(sentence(*to_the_left, "of ADP 6 case", "tables NOUN 4 nmod").tree, 4)
 
 
 def test_an_adverb_makes_a_preposition_more_precise():
-    close_to = sentence("go VERB 0 root", "close ADV 1 advmod", "to ADP 4 case", "doors NOUN 1 obl")
+    close_to = sentence("go VERB 0 root", "close ADV 1 advmod", "to ADP 4 case", "doors NOUN 1 obl").tree
     assert words_before(close_to, 1, 3, frozenset([2])) == frozenset([2])
     assert words_before(close_to, 1, 3, frozenset()) == frozenset()
 

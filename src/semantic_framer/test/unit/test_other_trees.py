@@ -6,8 +6,8 @@ from typing import Callable, Dict, FrozenSet, List
 import pytest
 
 from semantic_framer.asking.other_trees import RULE
+from semantic_framer.asking.tree_doubts import DOUBTS
 from semantic_framer.framer import hear
-from semantic_framer.referring.tree_doubts import DOUBTS
 from semantic_framer.rules import RULES
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon

@@ -45,9 +45,9 @@ def amount_argument(tree: DependencyTree, name: str, amount: Amount, *, is_whole
 def measure_of(tree: DependencyTree, amount: Amount) -> Measure:
     """Return an amount as a measure; an amount that is not finite has no value."""
     unit = find_unit(amount.unit) if amount.unit else None
-    forms = [tree.word(index).form.lower() for index in amount.positions]
+    forms = [tree.word(index).said for index in amount.positions]
     first = min(amount.positions) - 1
-    before = [tree.word(index).form.lower() for index in range(max(1, first - 1), first + 1)]
+    before = [tree.word(index).said for index in range(max(1, first - 1), first + 1)]
     return Measure(
         kind=amount.quantity or "number",
         words=tree.text_of(amount.positions),

@@ -8,7 +8,7 @@ from phrase_meanings.meaning_file import measure_of, shipped_meanings
 from spoken_quantities import find_whole_number
 from typed_arguments import Modifier
 from utterance_passes.phrases.amounts import read_amounts
-from utterance_passes.trees.tree import QUOTED, DependencyTree, Word
+from utterance_passes.trees.tree import NOUNS, QUOTED, DependencyTree, Word
 from word_classes import word_class, word_list
 
 #: Heads that stand for a kind of thing that was said before: "the red one".
@@ -36,11 +36,6 @@ class Quantity:
     bound: str = ""
 
 
-def first_preposition(tree: DependencyTree, head: int) -> str:
-    """Return the first preposition of a phrase; empty for none."""
-    return next((child.form.lower() for child in tree.children(head) if child.deprel == "case"), "")
-
-
 def is_plural(word: Word) -> bool:
     """Whether a noun is plural."""
     return "Number=Plur" in word.feats or word.xpos in ("NNS", "NNPS")
@@ -48,9 +43,8 @@ def is_plural(word: Word) -> bool:
 
 def is_side_of_something(tree: DependencyTree, index: int) -> bool:
     """Whether a word is a side of a thing and not a direction: "the left of the table"."""
-    return tree.word(index).form.lower() in _SIDES and any(
-        child.deprel.startswith("nmod")
-        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in tree.children(child.index))
+    return tree.word(index).said in _SIDES and any(
+        child.deprel.startswith("nmod") and any(inner.said == "of" for inner in tree.prepositions(child.index))
         for child in tree.children(index)
     )
 
@@ -58,15 +52,15 @@ def is_side_of_something(tree: DependencyTree, index: int) -> bool:
 def chosen_from(tree: DependencyTree, head: int, own: FrozenSet[int]) -> Optional[Tuple[Quantity, int]]:
     """Return the quantity and the noun of "all of the mugs" and "two of them"; None for other phrases."""
     word = tree.word(head)
-    quantifier = shipped_meanings().quantifiers.get(word.form.lower(), "")
+    quantifier = shipped_meanings().quantifiers.get(word.said, "")
     count = _number(word.form) if word.upos == "NUM" else None
-    is_couple = word.form.lower() in _COUPLES and any(child.form.lower() == "a" for child in tree.children(head))
+    is_couple = word.said in _COUPLES and any(child.said == "a" for child in tree.children(head))
     if is_couple:
-        count = _number(f"a {word.form.lower()}")
-    elif not (quantifier or count is not None) or word.upos in ("NOUN", "PROPN"):
+        count = _number(f"a {word.said}")
+    elif not (quantifier or count is not None) or word.upos in NOUNS:
         return None
     for child in tree.children(head):
-        if child.deprel.startswith("nmod") and child.index in own and first_preposition(tree, child.index) == "of":
+        if child.deprel.startswith("nmod") and child.index in own and tree.preposition(child.index) == "of":
             return Quantity(quantifier, count), child.index
     return None
 
@@ -75,13 +69,13 @@ def quantity(tree: DependencyTree, head: int, children: Iterable[Word]) -> Quant
     """Return what the words before a head say of the number of things."""
     spoken = shipped_meanings().quantifiers
     # "Everything" is a quantifier and its noun in one word.
-    form = tree.word(head).form.lower()
+    form = tree.word(head).said
     quantifier = spoken[form] if form in spoken and tree.word(head).upos == "PRON" else ""
     count, bound = None, ""
     for child in children:
-        form = child.form.lower()
+        form = child.said
         if child.deprel in ("det", "det:predet", "amod") and form in spoken:
-            asked = any(inner.form.lower() == "how" for inner in tree.children(child.index))
+            asked = any(inner.said == "how" for inner in tree.children(child.index))
             named = f"how_{form}" if asked else spoken[form]
             # "All the mugs" are all, "a few mugs" are few.
             quantifier = named if quantifier in ("", "the", "a") else quantifier
@@ -107,7 +101,7 @@ def _number(form: str) -> Optional[int]:
 def _bound(tree: DependencyTree, numeral: Word) -> str:
     inside = sorted(index for index in tree.subtree(numeral.index) if index < numeral.index)
     first = numeral.index - 1
-    before = [tree.word(index).form.lower() for index in (inside or ([first] if first > 0 else []))]
+    before = [tree.word(index).said for index in (inside or ([first] if first > 0 else []))]
     return shipped_meanings().bound(before)
 
 
@@ -119,13 +113,13 @@ def located_there(tree: DependencyTree, clause: Word) -> int:
     """
     children = tree.children(clause.index)
     subjects = [child.index for child in children if child.deprel == "nsubj"]
-    forms = {clause.form.lower(), *(child.form.lower() for child in children if child.deprel == "advmod")}
-    helping = [child.form.lower() for child in children if child.deprel in ("cop", "aux")]
+    forms = {clause.said, *(child.said for child in children if child.deprel == "advmod")}
+    helping = [child.said for child in children if child.deprel in ("cop", "aux")]
     is_posture = clause.lemma.lower() in _POSTURES and (bool(helping) or clause.xpos in _PRESENT_TENSE)
     is_there = is_posture or any(child.deprel == "cop" for child in children)
     # Where somebody was, or is not, is another place.
     is_now = all(form in _PRESENT for form in helping) and not forms & _NEGATIONS
-    is_place = "where" in forms or clause.form.lower() in _PLACE_PREPOSITIONS
+    is_place = "where" in forms or clause.said in _PLACE_PREPOSITIONS
     return subjects[0] if len(subjects) == 1 and is_there and is_now and is_place else 0
 
 
@@ -139,7 +133,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
     """Return the properties that words of the phrase give to its head."""
     found: List[Modifier] = []
     for child in children:
-        form = child.form.lower()
+        form = child.said
         base = child.deprel.split(":")[0]
         kind, number = "", 0
         if base == "appos" and form in ONES:
@@ -163,11 +157,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
         if not kind:
             continue
         degree = next(
-            (
-                inner.form.lower()
-                for inner in tree.children(child.index)
-                if inner.deprel == "advmod" and inner.index in own
-            ),
+            (inner.said for inner in tree.children(child.index) if inner.deprel == "advmod" and inner.index in own),
             "",
         )
         if kind in ("adjective", "comparative", "superlative"):
@@ -183,7 +173,7 @@ def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: Fr
 
 def property_alone(word: Word) -> Optional[Modifier]:
     """Return the property that an adjective without a noun names: "the *smallest*"; None for another word."""
-    form, lemma = word.form.lower(), word.lemma.lower()
+    form, lemma = word.said, word.lemma.lower()
     # The parser takes some of them for nouns.
     if word.upos != "ADJ" and not is_superlative(word):
         return None
@@ -194,7 +184,7 @@ def property_alone(word: Word) -> Optional[Modifier]:
 
 def is_superlative(word: Word) -> bool:
     """Whether a word asks for the most of something; the parser takes "nearest" for an adjective in its base form."""
-    form = word.form.lower()
+    form = word.said
     return word.xpos == "JJS" or (form.endswith("est") and bool(measure_of(form)))
 
 

@@ -6,7 +6,6 @@ from phrase_meanings.head_words import shares_noun
 from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
-from utterance_passes.phrases.clauses import prepositions_of
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
 
@@ -18,7 +17,7 @@ _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 _TITLES = word_class("titles")
 _SEVERAL = "ones"
 #: Words of these parts of speech may be nouns, also when the tagger erred.
-_NOUNS = frozenset(["NOUN", "PROPN", "ADJ", "VERB", "X"])
+_WITH_TYPES = frozenset(["NOUN", "PROPN", "ADJ", "VERB", "X"])
 #: Relations of words inside a name or a compound to the head.
 _IN_NAMES = frozenset(["compound", "amod", "flat", "nummod", "nmod", "goeswith"])
 #: Longest compound or name, in words.
@@ -75,7 +74,7 @@ class PhraseTypes:
 
     def _fit(self, item: int, accepted: Sequence[str]) -> Fit:
         fit = self.of(item).fit(accepted)
-        is_open = fit is Fit.WRONG and self._tree.word(item).form.lower() in _PERSONS_OR_THINGS
+        is_open = fit is Fit.WRONG and self._tree.word(item).said in _PERSONS_OR_THINGS
         # "Iron them": what they are was said before.
         return Fit.UNKNOWN if is_open and any(with_parents(one) & _OPEN_TYPES for one in accepted) else fit
 
@@ -100,7 +99,7 @@ class PhraseTypes:
             types = self._words.of_name(text)
             if types.types:
                 return types
-        form = word.form.lower()
+        form = word.said
         if form in _PERSONS:
             return _PERSON
         # "Leave the heavy ones": several are persons or things, and no place.
@@ -108,7 +107,7 @@ class PhraseTypes:
             return _PERSON_OR_THING
         if self._has_title(word):
             return _PERSON
-        if word.upos not in _NOUNS or form in _PRONOUNS:
+        if word.upos not in _WITH_TYPES or form in _PRONOUNS:
             return UNTYPED
         types = _QUANTITY if self._is_degree(word) else self._of_noun(word)
         # An unknown word with a capital is a name, whatever the tagger says.
@@ -126,18 +125,18 @@ class PhraseTypes:
     def _has_title(self, word: Word) -> bool:
         """Whether a name begins with a title: "Mrs. Miller", "Dr. Chen"; the head of the name may be its title."""
         near = [word, *(self._tree.word(index) for index in (word.index - 2, word.index - 1) if index > 0)]
-        title = next((one for one in near if one.form.lower().rstrip(".") in _TITLES), None)
+        title = next((one for one in near if one.said.rstrip(".") in _TITLES), None)
         if title is None or title.index == len(self._tree.words):
             return False
         name = self._tree.word(title.index + 1)
         name = self._tree.word(title.index + 2) if name.form == "." and name.index < len(self._tree.words) else name
         is_inside = name.index == word.index or name.head in (title.index, word.index)
-        return name.form[:1].isalpha() and is_inside and name.upos in _NOUNS
+        return name.form[:1].isalpha() and is_inside and name.upos in _WITH_TYPES
 
     def _is_degree(self, word: Word) -> bool:
         """Whether a noun says how much, "a bit"; "the bit" is a tool."""
-        before = [child.form.lower() for child in self._tree.children(word.index) if child.deprel == "det"]
-        return word.form.lower() in _DEGREES and before == ["a"]
+        before = [child.said for child in self._tree.children(word.index) if child.deprel == "det"]
+        return word.said in _DEGREES and before == ["a"]
 
     def _texts_around(self, head: int) -> Iterator[str]:
         """Return the texts that may be the name at a head: "coffee corner", "Anna Smith", and the head alone."""
@@ -163,8 +162,7 @@ class PhraseTypes:
         for begin in range(first, word.index + 1):
             before = [self._tree.word(index) for index in range(begin, word.index)]
             types = self._words.of_noun(
-                " ".join([*(other.form for other in before), spelling])
-                for spelling in (word.form.lower(), word.lemma.lower())
+                " ".join([*(other.form for other in before), spelling]) for spelling in (word.said, word.lemma.lower())
             )
             # "Cold water" is a figure of speech in the dictionary, "hot dog" is not.
             is_described = any(other.deprel == "amod" for other in before)
@@ -198,6 +196,6 @@ class PhraseTypes:
         if not is_measure and word.upos != "ADJ":
             return 0
         for child in self._tree.children(word.index):
-            if child.deprel in ("nmod", "obl") and prepositions_of(self._tree, child.index) == ["of"]:
+            if child.deprel in ("nmod", "obl") and self._tree.said_prepositions(child.index) == ["of"]:
                 return child.index
         return 0

@@ -7,7 +7,6 @@ from phrase_meanings.arguments import of_same_kind
 from phrase_meanings.head_words import (
     ONES,
     chosen_from,
-    first_preposition,
     is_plural,
     is_side_of_something,
     located_there,
@@ -18,7 +17,7 @@ from phrase_meanings.head_words import (
 from phrase_meanings.meaning_file import shipped_meanings
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import EmbeddedFrame, TypedArgument
-from utterance_passes.trees.tree import QUOTATION_MARKS, DependencyTree, Word
+from utterance_passes.trees.tree import NOMINALS, QUOTATION_MARKS, VERBS, DependencyTree, Word
 from word_classes import word_class
 
 #: Relations of words at the front of a phrase that are not part of it.
@@ -144,7 +143,7 @@ class Phrases:
         children = [child for child in tree.children(noun) if child.index in own]
         word = tree.word(noun)
         amount = amount or quantity(tree, noun, children)
-        conjuncts = [child for child in children if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
+        conjuncts = [child for child in children if child.deprel == "conj" and child.upos not in VERBS]
         members = self._members(
             noun, [child.index for child in conjuncts], left_out | extent.prepositions, attached, form
         )
@@ -155,7 +154,7 @@ class Phrases:
             if child.deprel in ("nmod", "nmod:of", "nmod:unmarked", "obl", "acl", "acl:relcl")
         ]
         inner += [tree.word(index) for index in _attached_heads(tree, attached, own)]
-        by_relation = [(child, first_preposition(tree, child.index)) for child in inner if child.index != noun]
+        by_relation = [(child, tree.preposition(child.index)) for child in inner if child.index != noun]
         complement = next(
             (child for child, prep in by_relation if prep == "of" and child.deprel.startswith("nmod")), None
         )
@@ -171,9 +170,7 @@ class Phrases:
             quantifier=amount.quantifier,
             count=amount.count,
             count_bound=amount.bound,
-            is_negated=any(
-                child.form.lower() in _NEGATIONS and child.deprel not in ("det", "case") for child in children
-            ),
+            is_negated=any(child.said in _NEGATIONS and child.deprel not in ("det", "case") for child in children),
             is_asked=amount.quantifier in ("how_many", "how_much", "which", "what"),
             direction=_direction(tree, noun, extent),
             modifiers=modifiers(tree, noun, children, own),
@@ -199,7 +196,7 @@ class Phrases:
     def _part(self, head: int, left_out: FrozenSet[int]) -> TypedArgument:
         tree = self._tree
         extent = _extent(tree, head, left_out, frozenset())
-        text = tree.text_of(index for index in extent.bare if tree.word(index).form.lower() not in _CLITICS)
+        text = tree.text_of(index for index in extent.bare if tree.word(index).said not in _CLITICS)
         return self._described(self._plain(head, extent)._replace(text=text), head, extent, left_out)
 
     def _members(
@@ -272,7 +269,7 @@ class Phrases:
                 positions=positions,
                 head_element=_THEME if place else "",
                 mood="statement",
-                is_negated=any(word.form.lower() in _NEGATIONS for word in inside),
+                is_negated=any(word.said in _NEGATIONS for word in inside),
                 frame_elements=place,
             )
         if not preposition:
@@ -287,7 +284,7 @@ class Phrases:
             positions=positions,
             head_element=_THEME if is_place else "",
             mood="statement",
-            is_negated=any(word.form.lower() in _NEGATIONS for word in tree.children(child.index)),
+            is_negated=any(word.said in _NEGATIONS for word in tree.children(child.index)),
             frame_elements=(replace(part, name=_LOCATION if is_place else part.relation or preposition),),
         )
 
@@ -303,7 +300,7 @@ class Phrases:
             for child in tree.children(verb.index)
             if child.deprel.startswith("obl")
             and child.index in own
-            and first_preposition(tree, child.index) in _PLACE_PREPOSITIONS
+            and tree.preposition(child.index) in _PLACE_PREPOSITIONS
         )[:1]
 
 
@@ -312,9 +309,9 @@ def _is_of_the_list(tree: DependencyTree, index: int, head: int) -> bool:
     plate", "*also* the plate".
     """
     word = tree.word(index)
-    is_order = word.upos == "ADV" and word.form.lower() in _ORDER
+    is_order = word.upos == "ADV" and word.said in _ORDER
     # "Both mugs and the plate": there are two mugs.
-    is_before = index < head and word.form.lower() in _BEFORE_LISTS and not is_plural(tree.word(head))
+    is_before = index < head and word.said in _BEFORE_LISTS and not is_plural(tree.word(head))
     return word.upos == "PUNCT" or word.deprel == "cc" or is_before or is_order
 
 
@@ -323,7 +320,7 @@ def _attached_heads(tree: DependencyTree, attached: FrozenSet[int], own: FrozenS
     return [
         index
         for index in sorted(attached & own)
-        if tree.word(index).head not in own and tree.word(index).upos in ("NOUN", "PROPN", "PRON")
+        if tree.word(index).head not in own and tree.word(index).upos in NOMINALS
     ]
 
 
@@ -337,7 +334,7 @@ def _said(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[EmbeddedFra
     """Return the clause that a message says: "where the keys are"; nothing for other phrases."""
     if head not in tree.quoted or len(extent.bare) < 2:
         return ()
-    is_question = tree.word(extent.bare[0]).form.lower() in _QUESTION_WORDS
+    is_question = tree.word(extent.bare[0]).said in _QUESTION_WORDS
     words = tree.text_of(extent.bare)
     mood = "question" if is_question else "statement"
     return (EmbeddedFrame(role="says", words=words, positions=tuple(extent.bare), mood=mood),)
@@ -347,7 +344,7 @@ def _extent(tree: DependencyTree, head: int, left_out: FrozenSet[int], attached:
     """Return the words of a phrase, without punctuation and conjunctions at its ends."""
     positions = sorted((tree.subtree(head) - left_out) | attached)
     # In "whether it is on the table" the preposition is part of the question, in "to where you were" it is not.
-    is_clause = tree.word(head).form.lower() not in _QUESTION_WORDS and any(
+    is_clause = tree.word(head).said not in _QUESTION_WORDS and any(
         child.deprel == "cop" and child.index in positions for child in tree.children(head)
     )
     prepositions = frozenset() if is_clause else _prepositions(tree, head)
@@ -381,7 +378,7 @@ def _prepositions(tree: DependencyTree, head: int) -> FrozenSet[int]:
     found: List[int] = []
     for child in tree.children(head):
         # In "by crossing the hall" the preposition of the verb has the relation "mark".
-        is_preposition = child.deprel == "case" or (child.deprel == "mark" and child.form.lower() in _OF_VERBS)
+        is_preposition = child.deprel == "case" or (child.deprel == "mark" and child.said in _OF_VERBS)
         if is_preposition and child.index < head:
             found += tree.subtree(child.index)
     return frozenset(found)
@@ -392,7 +389,7 @@ def _beside_a_place(tree: DependencyTree, head: int) -> FrozenSet[int]:
     return frozenset(
         child.index
         for child in tree.children(head)
-        if child.deprel == "cop" or (child.deprel.startswith("nsubj") and child.form.lower() in _RELATIVE_WORDS)
+        if child.deprel == "cop" or (child.deprel.startswith("nsubj") and child.said in _RELATIVE_WORDS)
     )
 
 
@@ -401,13 +398,11 @@ def _relation(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[str, in
 
     In "to the left of the table" and "on top of the table" this noun is the table, though another word is the head.
     """
-    spoken = [tree.word(index).form.lower() for index in sorted(extent.prepositions & frozenset(extent.positions))]
+    spoken = [tree.word(index).said for index in sorted(extent.prepositions & frozenset(extent.positions))]
     meanings = shipped_meanings()
-    form = tree.word(head).form.lower()
+    form = tree.word(head).said
     inside = [child.index for child in tree.children(head) if child.deprel.startswith("nmod")]
-    whole = next(
-        (index for index in inside if index in extent.positions and first_preposition(tree, index) == "of"), None
-    )
+    whole = next((index for index in inside if index in extent.positions and tree.preposition(index) == "of"), None)
     if whole is not None and form in _LEFT_AND_RIGHT and is_side_of_something(tree, head):
         return f"{form}_of", whole
     if whole is not None and spoken and f"{' '.join(spoken)} {form} of" in _COMPLEX_PREPOSITIONS:
@@ -416,7 +411,7 @@ def _relation(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[str, in
     if spoken == ["of"] and governor:
         # A lexical unit may ask for the inner noun itself.
         before = sorted(_prepositions(tree, governor)) + [governor]
-        words = " ".join(tree.word(index).form.lower() for index in before) + " of"
+        words = " ".join(tree.word(index).said for index in before) + " of"
         if words in _COMPLEX_PREPOSITIONS:
             return meanings.relation(words), head
     return (meanings.relation(" ".join(spoken)) if spoken else ""), head
@@ -424,7 +419,7 @@ def _relation(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[str, in
 
 def _conjunction(tree: DependencyTree, conjuncts: Iterable[Word]) -> str:
     coordinators = (
-        inner.form.lower() for conjunct in conjuncts for inner in tree.children(conjunct.index) if inner.deprel == "cc"
+        inner.said for conjunct in conjuncts for inner in tree.children(conjunct.index) if inner.deprel == "cc"
     )
     said = next(coordinators, "and")
     # "Not only the cup but also the plate", "the cup as well as the plate".
@@ -434,9 +429,9 @@ def _conjunction(tree: DependencyTree, conjuncts: Iterable[Word]) -> str:
 def _direction(tree: DependencyTree, head: int, extent: _Extent) -> str:
     """Return the direction that a phrase names: "left" in "to your left"; none for a thing."""
     directions = shipped_meanings().directions
-    spoken = " ".join(tree.word(index).form.lower() for index in extent.bare)
+    spoken = " ".join(tree.word(index).said for index in extent.bare)
     if spoken in directions:
         return directions[spoken]
-    form = tree.word(head).form.lower()
+    form = tree.word(head).said
     is_side = form in _LEFT_AND_RIGHT and not is_side_of_something(tree, head) and not extent.bare[-1] > head
     return directions.get(form, "") if is_side else ""

@@ -7,7 +7,7 @@ for collapsing; universaldependencies.org/u/dep and /en/dep for the universal re
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import VERBS, DependencyTree, Word
 from word_classes import word_class, word_list
 
 #: Universal relation -> Stanford names. The first name is written into ``Parse``; a lexical unit may use any. Measures
@@ -109,22 +109,22 @@ def preposition(tree: DependencyTree, word: Word) -> str:
     """Return the preposition of a word as in collapsed names: "to", "next_to", "out_of"; empty for none."""
     parts: List[str] = []
     for child in tree.children(word.index):
-        if child.deprel == "case" and child.form.lower() not in ("'s", "'", "’s"):
-            parts.append(child.form.lower())
-            parts += [inner.form.lower() for inner in tree.children(child.index) if inner.deprel == "fixed"]
+        if child.deprel == "case" and child.said not in ("'s", "'", "’s"):
+            parts.append(child.said)
+            parts += [inner.said for inner in tree.children(child.index) if inner.deprel == "fixed"]
     return "_".join(part for part in parts if part.replace("-", "").isalpha())
 
 
 def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
     """Return the Stanford names of the relation of a word to its head; ``Parse`` gets the first."""
     lemma = word.lemma.lower()
-    if word.deprel == "advmod" and (lemma in _NEGATING_ADVERBS or word.form.lower() in _NEGATING_ADVERBS):
+    if word.deprel == "advmod" and (lemma in _NEGATING_ADVERBS or word.said in _NEGATING_ADVERBS):
         return ("neg", "advmod")
-    if word.deprel == "mark" and word.form.lower() == "to":
+    if word.deprel == "mark" and word.said == "to":
         return ("aux", "mark")
     if word.deprel == "mark" and lemma in ("that", "whether"):
         return ("complm", "mark")
-    if word.deprel == "case" and word.form.lower() in ("'s", "'", "’s"):
+    if word.deprel == "case" and word.said in ("'s", "'", "’s"):
         return ("possessive",)
     if word.deprel == "conj":
         return (f"conj_{_coordinator(tree, word)}", "conj")
@@ -134,7 +134,7 @@ def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
         agent = ("agent",) if word.deprel == "obl:agent" else ()
         return agent + (f"prep_{prep}", "prep")
     if base == "advcl":
-        mark = next((child.form.lower() for child in tree.children(word.index) if child.deprel == "mark"), "")
+        mark = next((child.said for child in tree.children(word.index) if child.deprel == "mark"), "")
         if mark and mark != "to":
             return RULES["advcl"] + (f"prepc_{mark}",)
     if word.deprel in RULES:
@@ -204,8 +204,8 @@ def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
     for word in tree.words:
         if word.deprel != "conj" or word.head == 0:
             continue
-        first = tree.word(word.head)
-        is_verbal = word.upos in ("VERB", "AUX")
+        first = tree.governor(word)
+        is_verbal = word.upos in VERBS
         own = {name for child in tree.children(word.index) for name in [child.deprel.split(":")[0]]}
         if is_verbal:
             extra += [
@@ -226,15 +226,13 @@ def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
 
 
 def _coordinator(tree: DependencyTree, word: Word) -> str:
-    own = [child.form.lower() for child in tree.children(word.index) if child.deprel == "cc"]
+    own = [child.said for child in tree.children(word.index) if child.deprel == "cc"]
     if own:
         return own[0]
     siblings = [
         other for other in tree.words if other.head == word.head and other.deprel == "conj" and other.index > word.index
     ]
-    later = [
-        child.form.lower() for sibling in siblings for child in tree.children(sibling.index) if child.deprel == "cc"
-    ]
+    later = [child.said for sibling in siblings for child in tree.children(sibling.index) if child.deprel == "cc"]
     return later[0] if later else "and"
 
 
@@ -244,16 +242,12 @@ def basic(tree: DependencyTree) -> Tuple[TypedDependency, ...]:
     found = []
     for word in tree.words:
         names = stanford_names(tree, word)
-        cases = [
-            child
-            for child in tree.children(word.index)
-            if child.deprel == "case" and names[0].startswith(("prep_", "agent"))
-        ]
+        cases = [child for child in tree.prepositions(word.index) if names[0].startswith(("prep_", "agent"))]
         if cases:
             found.append(TypedDependency("prep", word.head, cases[0].index))
             found.append(TypedDependency("pobj", cases[0].index, word.index))
-        elif word.deprel == "case" and stanford_names(tree, tree.word(word.head))[0].startswith(("prep_", "agent")):
-            first = next(child for child in tree.children(word.head) if child.deprel == "case")
+        elif word.deprel == "case" and stanford_names(tree, tree.governor(word))[0].startswith(("prep_", "agent")):
+            first = tree.prepositions(word.head)[0]
             if first.index != word.index:
                 found.append(TypedDependency("mwe", first.index, word.index))
         else:
@@ -268,7 +262,7 @@ def collapsed(tree: DependencyTree) -> Tuple[TypedDependency, ...]:
         names = stanford_names(tree, word)
         if word.deprel in ("case", "cc") and names[0] != "possessive":
             continue
-        if word.deprel == "fixed" and tree.word(word.head).deprel == "case":
+        if word.deprel == "fixed" and tree.governor(word).deprel == "case":
             continue
         found[(word.head, word.index)] = names[0]
     for arc in arcs(tree):

@@ -17,7 +17,7 @@ def with_verb_lemmas(tree: DependencyTree) -> DependencyTree:
 
 
 def _lemma(word: Word) -> str:
-    form = word.form.lower()
+    form = word.said
     if word.upos != "VERB" or word.xpos not in _INFLECTED or not form.isalpha():
         return word.lemma
     if word.lemma.lower() != form and VERB in parts_of_speech(word.lemma.lower()):

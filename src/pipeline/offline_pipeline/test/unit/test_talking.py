@@ -36,8 +36,9 @@ def spared() -> Iterator[List[Tuple[Sentence, LexicalUnit, Optional[Reading]]]]:
     class Filling(matching._Filling):
         def reading(self) -> Optional[Reading]:
             reading = super().reading()
-            if lacks_all_required(self._sentence, self._unit):
-                found.append((self._sentence, self._unit, reading))
+            tried = self._tried
+            if lacks_all_required(tried.sentence, tried.unit):
+                found.append((tried.sentence, tried.unit, reading))
                 return None
             return reading
 

@@ -5,8 +5,8 @@ from itertools import takewhile
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
-from semantic_framer.changing.fragments import answering_words
-from semantic_framer.filling.attachment import is_direction, words_before_amount
+from semantic_framer.clauses.fragments import answering_words
+from semantic_framer.filling.attachment import words_before_amount
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import kind_without_clause, kinds_of_clauses
 from semantic_framer.referring.chosen_things import chosen, nearest_of
@@ -18,7 +18,7 @@ from semantic_framer.values.clause_plan import PlanPart
 from semantic_framer.values.dialogue import PRONOUNS, Pending, is_ignorant, is_indifferent, is_yes
 from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
-from semantic_framer.values.things import is_unfinished
+from semantic_framer.values.things import is_direction, is_unfinished
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from typed_arguments import TypedArgument
 from utterance_passes.phrases.amounts import Amount
@@ -115,7 +115,7 @@ def _leaves_open(sentence: Sentence, known: FramedLexicon) -> bool:
     tree = sentence.tree
     if is_ignorant(tree.text) or is_indifferent(tree.text):
         return True
-    asks = tree.words[0].form.lower() in _QUESTION_WORDS and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
+    asks = tree.words[0].said in _QUESTION_WORDS and len(answering_words(tree)) <= _LONGEST_ASKED_BACK
     return asks and kind_without_clause(tree).kind is UtteranceKind.QUESTION and not find_clauses(tree, known)
 
 
@@ -125,13 +125,13 @@ def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexic
     Any statement may be what somebody is to be told.
     """
     tree = sentence.tree
-    if tree.words[0].form.lower() == "and" and tree.text.rstrip().endswith("?"):
+    if tree.words[0].said == "and" and tree.text.rstrip().endswith("?"):
         return True
     clauses = find_clauses(tree, known)
     asked = zip(pending.clauses[pending.clause], pending.elements)
     elements = [known.frames[reading.unit.frame_name].element(name) for reading, name in asked]
     if all(element is not None and element.framenet == MESSAGE for element in elements):
-        if tree.words[0].form.lower() in _BEFORE_MESSAGES:
+        if tree.words[0].said in _BEFORE_MESSAGES:
             return False
         kinds = kinds_of_clauses(tree, clauses, known)
         return any(kind.acts or kind.kind is UtteranceKind.QUESTION for kind in kinds)
@@ -146,7 +146,7 @@ def _is_said_for_itself(sentence: Sentence, pending: Pending, known: FramedLexic
 
 
 def _has_subject(sentence: Sentence, verb: int) -> bool:
-    return any(child.deprel.startswith("nsubj") for child in sentence.children(verb))
+    return sentence.tree.subject(verb) is not None
 
 
 def time_answered(sentence: Sentence, pending: Pending) -> Optional[PlanPart]:
@@ -158,7 +158,7 @@ def time_answered(sentence: Sentence, pending: Pending) -> Optional[PlanPart]:
     """
     plan = pending.plan
     fillers = sentence.tree.fillers
-    said = [word.form.lower() for word in sentence.tree.words if word.upos != "PUNCT" and word.index not in fillers]
+    said = [word.said for word in sentence.tree.words if word.upos != "PUNCT" and word.index not in fillers]
     if plan is None or plan.kind != "AT" or not said:
         return None
     for between in ((), ("at",)):
@@ -192,8 +192,8 @@ def _element_meant(sentence: Sentence, reading: Reading, name: str, known: Frame
     and frame, otherwise the one that was asked for: "what should I bring?" - "*to* Anna"."""
     answering = answering_words(sentence.tree)
     heads = [index for index in answering if sentence.word(index).head not in answering]
-    cases = [child for head in heads[:1] for child in sentence.children(head) if child.deprel == "case"]
-    said = [child.form.lower() for child in cases if child.index in answering]
+    cases = [child for head in heads[:1] for child in sentence.tree.prepositions(head)]
+    said = [child.said for child in cases if child.index in answering]
     others = (unit for unit in known.units_of(reading.verb) if unit.frame_name == reading.unit.frame_name)
     for unit in (reading.unit, *others) if said else ():
         marked = [
@@ -211,9 +211,9 @@ def _is_all_said(sentence: Sentence, values: List[TypedArgument], is_strict: boo
     if sentence.tree.times:
         return False
     for word in sentence.tree.words:
-        if word.form.lower() in _NO_ANSWER:
+        if word.said in _NO_ANSWER:
             return False
-        is_said = word.index in used or word.form.lower() in _HEARER  # "To your right" is to the right.
+        is_said = word.index in used or word.said in _HEARER  # "To your right" is to the right.
         if is_strict and not is_said and word.index in answering and sentence.is_content(word.index):
             return False
     return True
@@ -247,7 +247,7 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     if is_no_place or is_unfinished(sentence.tree, head):
         return []
     # "Now the book", "and the book"
-    before = takewhile(lambda index: sentence.word(index).form.lower() in _LEAD_IN and index != head, positions)
+    before = takewhile(lambda index: sentence.word(index).said in _LEAD_IN and index != head, positions)
     left_out = frozenset(before).union(
         word.index
         for word in sentence.tree.words
@@ -274,7 +274,7 @@ def _direction_values(sentence: Sentence, frame: SemanticFrame) -> List[TypedArg
 
 def _named_values(sentence: Sentence, element: FrameElement) -> List[int]:
     """Return the words of an utterance that are values of an element; "to my right" is not the robot's right."""
-    words = {word.index: word.form.lower() for word in sentence.tree.words}
+    words = {word.index: word.said for word in sentence.tree.words}
     allowed = {value.lower() for value in element.values}
     return [index for index, form in words.items() if form in allowed] if _SPEAKER.isdisjoint(words.values()) else []
 

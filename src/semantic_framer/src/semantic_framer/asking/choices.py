@@ -49,9 +49,7 @@ def choices_left_open(
 def _choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
     """Return the clauses that "or" joins ("turn left or go back"), as choices; nothing if there is no such "or"."""
     verbs = {clause.verb for clause in clauses}
-    if not any(
-        word.form.lower() == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words
-    ):
+    if not any(word.said == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words):
         return ()
     choices = []
     for clause in clauses:

@@ -22,7 +22,7 @@ from semantic_types.verb_classes import SYNONYM, known_verbs_near
 from semantic_types.wordnet import VERB, NoWordNet, shipped_wordnet
 from utterance_passes.engine.utterance_pass import Choice
 from utterance_passes.phrases.clauses import find_clauses
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import NotATree, rephrased
 from word_classes import word_class
 
@@ -164,7 +164,7 @@ def _may_ask(tree: DependencyTree, heard: Heard, context: Context, now: Now) -> 
         return False
     if heard.is_answer or context.pending is not None or heard.context.pending is not None or heard.sentence is None:
         return False
-    if any(word.form.lower() in _LIMITING for word in tree.words):
+    if any(word.said in _LIMITING for word in tree.words):
         return False
     if any(reading.unheeded for one in heard.clauses for reading in one.kept[:1]):
         return False  # It is understood, and no server takes it into account.
@@ -226,9 +226,9 @@ def _is_needed(word: Word, frames: Iterable[SemanticFrame]) -> bool:
     # "Drive *in reverse* 1 metre", "go *sideways*" say which way.
     has_direction = any(element.framenet == _DIRECTION for element in elements)
     is_way = is_measured and has_direction and word.deprel in _OF_WAYS
-    if word.form.lower() in _SIDES or is_way:
+    if word.said in _SIDES or is_way:
         return True
-    return is_amount or word.deprel.split(":")[0] in _NEVER_LEFT_OUT or word.form.lower() in values
+    return is_amount or word.deprel.split(":")[0] in _NEVER_LEFT_OUT or word.said in values
 
 
 def _says_most(tree: DependencyTree, left_out: FrozenSet[int]) -> bool:
@@ -247,7 +247,7 @@ def _positions_of(tree: DependencyTree, forms: Sequence[str], left_out: FrozenSe
     found: Set[int] = set()
     last = 0
     for form in forms:
-        same = [w.index for w in tree.words if w.form.lower() == form.lower() and w.index not in found | left_out]
+        same = [w.index for w in tree.words if w.said == form.lower() and w.index not in found | left_out]
         behind = [index for index in same if index > last] or same
         if behind:
             last = behind[0]
@@ -322,7 +322,7 @@ def _gaps(tree: DependencyTree, heard: Heard) -> Iterator[_Gap]:
     """Yield the words for which a verb may stand: a verb with its object, and an unknown verb with its particles."""
     refused = [one.clause.verb for one in heard.clauses if one.refusal is not None]
     verbs = [word for word in tree.words if word.index in refused[:1]]
-    verbs = verbs or [word for word in tree.words if not word.head and word.upos in ("VERB", "AUX")]
+    verbs = verbs or [word for word in tree.words if not word.head and word.upos in VERBS]
     if not verbs:
         return
     verb = verbs[0]
@@ -339,7 +339,7 @@ def _gaps(tree: DependencyTree, heard: Heard) -> Iterator[_Gap]:
 
 
 def _gap(tree: DependencyTree, verb: Word, others: Iterable[int]) -> _Gap:
-    words = [verb.lemma.lower(), *(tree.word(index).form.lower() for index in sorted(others))]
+    words = [verb.lemma.lower(), *(tree.word(index).said for index in sorted(others))]
     return _Gap(verb.index, frozenset([verb.index, *others]), " ".join(words))
 
 

@@ -1,7 +1,7 @@
 """What else a sentence may be: the trees in which a word hangs on another of its likely governors.
 
 The parser gives one tree, and says what else each word may hang on. A tree without the signs of
-:mod:`semantic_framer.referring.tree_doubts` is better than one with them. Of several trees without them, the one whose
+:mod:`semantic_framer.asking.tree_doubts` is better than one with them. Of several trees without them, the one whose
 readings have more elements is better, as far as its probability allows.
 """
 
@@ -11,9 +11,9 @@ from itertools import combinations
 from typing import Callable, FrozenSet, Iterator, Optional, Sequence, Tuple
 
 from semantic_framer.asking.settling import Now
+from semantic_framer.asking.tree_doubts import DOUBTS, doubts_of
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.filling.attachment import tells_which
-from semantic_framer.referring.tree_doubts import DOUBTS, doubts_of
 from semantic_framer.values.dialogue import Context
 from semantic_framer.values.outcome import CAREFUL, Question, Refusal, Understood
 from semantic_framer.values.reading import Reading, heads_of

@@ -9,9 +9,9 @@ from semantic_framer.asking.answers import question_of
 from semantic_framer.asking.choices import question_of_choices
 from semantic_framer.asking.wishes import without_granted_wishes
 from semantic_framer.clauses.embedded_statements import with_statements
+from semantic_framer.clauses.indirect_questions import with_indirect_questions
 from semantic_framer.filling.default_values import may_say_direction
 from semantic_framer.judging.said_twice import said_twice
-from semantic_framer.queries.indirect_questions import with_indirect_questions
 from semantic_framer.referring.clause_before import resolve_in_parallel, with_thing_taken
 from semantic_framer.referring.findings_told import with_finding
 from semantic_framer.referring.persons_spoken_of import PERSON, whom_is_meant

@@ -4,9 +4,10 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Sequence
 
 from roboframenet_ros.spoken_text import join_with_or
-from semantic_framer.changing.amending import Clauses, amended, measured
-from semantic_framer.changing.fragments import Fragment, fragment_of
+from semantic_framer.changing.amending import Clauses, amended
+from semantic_framer.changing.fragment_phrases import measured
 from semantic_framer.changing.paces import PACES
+from semantic_framer.clauses.fragments import Fragment, fragment_of
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.dialogue import Context, LastCommand
 from semantic_framer.values.fragment_kind import FragmentKind
@@ -92,7 +93,7 @@ def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, kn
     unclear = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
     if context.last is None:
         # "Not so fast" is said to whatever runs.
-        if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
+        if not fragment.needs_command or sentence.word(fragment.positions[0]).said in _NEGATIONS:
             return None
         return Change("asked. No command was said before it.", unclear)
     before = "; ".join(str(readings[0]) for readings in context.last.clauses)

@@ -139,7 +139,7 @@ def _is_statement(tree: DependencyTree) -> bool:
     """Whether a sentence states or asks that something is not so: "I don't know", but not "I don't want you to"."""
     root = next(word for word in tree.words if word.head == 0)
     forms = [plain(word) for word in tree.words]
-    subject = next((word for word in tree.children(root.index) if word.deprel.startswith("nsubj")), None)
+    subject = tree.subject(root.index)
     if subject is None:
         return False
     behind: FrozenSet[str] = frozenset(forms[subject.index :])

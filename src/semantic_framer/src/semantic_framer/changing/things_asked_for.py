@@ -4,7 +4,7 @@ and its measure is to be gone, "forward two metres", "left 90 degrees"; a device
 from dataclasses import replace
 from typing import FrozenSet, Optional, Sequence
 
-from semantic_framer.changing.fragments import fragment_of
+from semantic_framer.clauses.fragments import fragment_of
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.fragment_kind import FragmentKind
 from semantic_framer.values.outcome import Understood
@@ -13,6 +13,7 @@ from semantic_types import Fit
 from typed_arguments.positions import with_moved_positions
 from utterance_passes.phrases.clauses import Clause
 from utterance_passes.phrases.measures import find_amounts
+from utterance_passes.trees.tree import NOUNS
 from utterance_passes.trees.tree_edits import TreeEdit, behind_verb
 from word_classes import word_class
 
@@ -45,8 +46,8 @@ def asked_for(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexico
     if fragment is None or fragment.kind is not FragmentKind.ELEMENTS or fragment.is_more:
         return None
     tree = sentence.tree
-    kept = frozenset(index for index in fragment.positions if tree.word(index).form.lower() not in _PLEASE)
-    is_polite = any(word.form.lower() in _PLEASE for word in tree.words)
+    kept = frozenset(index for index in fragment.positions if tree.word(index).said not in _PLEASE)
+    is_polite = any(word.said in _PLEASE for word in tree.words)
     short_for = _way(sentence, kept, known) or _device(sentence, kept, known)
     return short_for or (_thing(sentence, kept, known) if is_polite else None)
 
@@ -61,7 +62,7 @@ def _way(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Opti
     if len(others) != 1 or not known.verbs_beginning_with(verb):
         return None
     direction = others[0]
-    if not any(tree.word(direction).form.lower() in words for words in known.lists_of(verb)):
+    if not any(tree.word(direction).said in words for words in known.lists_of(verb)):
         return None
     # The verb is the first word now.
     edit = TreeEdit(behind_verb(tree, [verb], kept))
@@ -79,7 +80,7 @@ def _device(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> O
         child
         for index in heads
         for child in tree.children(index)
-        if child.deprel == "compound:prt" and child.form.lower() in _ON_AND_OFF and child.index in kept
+        if child.deprel == "compound:prt" and child.said in _ON_AND_OFF and child.index in kept
     ]
     is_more_said = any(tree.word(index).upos == "ADV" for index in kept)
     if len(heads) != 1 or len(switches) != 1 or is_more_said or not known.verbs_beginning_with(_SWITCHING):
@@ -94,10 +95,10 @@ def _thing(sentence: Sentence, kept: FrozenSet[int], known: FramedLexicon) -> Op
     if not known.verbs_beginning_with(_VERB):
         return None
     heads = [index for index in sorted(kept) if tree.word(index).head not in kept]
-    if len(heads) != 1 or tree.word(heads[0]).upos not in ("NOUN", "PROPN") or not kept <= tree.subtree(heads[0]):
+    if len(heads) != 1 or tree.word(heads[0]).upos not in NOUNS or not kept <= tree.subtree(heads[0]):
         return None
     children = [child for child in tree.children(heads[0]) if child.index in kept]
-    first = [child.form.lower() for child in children if child.deprel in ("det", "nmod:poss", "case", "nummod")]
+    first = [child.said for child in children if child.deprel in ("det", "nmod:poss", "case", "nummod")]
     is_counted = any(form in _ONE for form in first) or any(child.deprel == "nummod" for child in children)
     if first and not is_counted:
         return None

@@ -27,7 +27,7 @@ from semantic_types import Fit
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments import Measure, Source, TypedArgument
 from utterance_passes.phrases.clock_times import clock_time_at
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import PHRASE_HEADS, VERBS, Word
 from word_classes import word_class
 
 _CONJUNCTIONS: Mapping[str, str] = {"and": "ALL", "or": "ANY"}
@@ -46,7 +46,6 @@ _NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_c
 _FORMS_OF_BE = word_class("forms_of_be")
 #: Universal tags of words that are in no noun phrase, and of words that may end one.
 _NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
-_NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
 _ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
 _ALTERNATIVE = word_class("words_before_alternatives")
@@ -74,7 +73,7 @@ class _Words(NamedTuple):
 
 def is_auxiliary(word: Word) -> bool:
     """Whether a word may begin a question; "is" in "is there a mug" is a verb to the parser."""
-    return word.upos == "AUX" or word.form.lower() in _FORMS_OF_BE
+    return word.upos == "AUX" or word.said in _FORMS_OF_BE
 
 
 def read_condition(
@@ -136,7 +135,7 @@ def read_asked(sentence: Sentence, known: FramedLexicon, positions: Sequence[int
         subject, predicate = rest[:behind], rest[behind:]
         condition = read_condition(sentence, known, [*subject, auxiliary, *predicate])
         if condition is not None:
-            words = [sentence.text(subject), sentence.word(auxiliary).form.lower(), sentence.text(predicate)]
+            words = [sentence.text(subject), sentence.word(auxiliary).said, sentence.text(predicate)]
             return replace(condition, words=" ".join(words).strip())
     return None
 
@@ -146,7 +145,7 @@ def _has_foreign_comma(sentence: Sentence, positions: Sequence[int]) -> bool:
     marks = [index for index in positions if sentence.word(index).upos == "PUNCT"]
     items = [index for index in positions if sentence.word(index).deprel == "conj"]
     return any(
-        not any(item > mark > sentence.word(item).head and sentence.word(item).upos in _NOUNS for item in items)
+        not any(item > mark > sentence.word(item).head and sentence.word(item).upos in PHRASE_HEADS for item in items)
         for mark in marks
     )
 
@@ -157,8 +156,8 @@ def _read_whole(
     whole = _read_one(sentence, known, positions, is_until)
     if whole is not None:
         return whole
-    joints = [index for index in positions if sentence.word(index).form.lower() in _CONJUNCTIONS]
-    kinds = {_CONJUNCTIONS[sentence.word(index).form.lower()] for index in joints}
+    joints = [index for index in positions if sentence.word(index).said in _CONJUNCTIONS]
+    kinds = {_CONJUNCTIONS[sentence.word(index).said] for index in joints}
     if len(kinds) != 1:
         return None
     parts: List[List[int]] = [[]]
@@ -220,7 +219,7 @@ def _by_trees(
         # "Tell me if *the door opens*": what is said has no structure, and had one.
         sentence = sentence.unquoted
     for clause in sentence.children(somebody) if somebody in words else ():
-        who = next((child for child in sentence.children(clause.index) if child.form.lower() in _WHO), None)
+        who = next((child for child in sentence.children(clause.index) if child.said in _WHO), None)
         if clause.deprel == "acl:relcl" and who is not None:
             # "Everybody *who comes in*."
             words, positions = words - {somebody} | {who.index}, sorted(sentence.subtree(clause.index))
@@ -291,7 +290,7 @@ def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> O
     is_anew = False
     for index in positions:
         word = sentence.word(index)
-        form = word.form.lower()
+        form = word.said
         if word.upos == "PUNCT" or index in sentence.tree.fillers:
             continue
         if form in _NOT or (form == "no" and word.deprel == "det"):
@@ -301,7 +300,7 @@ def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> O
         elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word) or form in _ALTERNATIVE:
             continue
         else:
-            is_denied = form == "one" and index > 1 and sentence.word(index - 1).form.lower() == "no"
+            is_denied = form == "one" and index > 1 and sentence.word(index - 1).said == "no"
             if is_denied:
                 renamed[index] = "somebody"
             elif form in _NOBODY | _NOTHING:
@@ -321,7 +320,7 @@ def _is_empty_auxiliary(sentence: Sentence, word: Word) -> bool:
     """Whether a word only makes a form of the present or the perfect: "does", "has", "is coming"."""
     if word.deprel != "aux" or word.upos != "AUX":
         return False
-    form, tag = word.form.lower(), sentence.word(word.head).xpos
+    form, tag = word.said, sentence.tree.governor(word).xpos
     if word.xpos == "VBD":
         return False
     if form in _DO:
@@ -333,13 +332,13 @@ def _is_empty_auxiliary(sentence: Sentence, word: Word) -> bool:
 
 def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
     """Return a word as patterns have it; None if it is a verb of the past."""
-    form = word.form.lower()
+    form = word.said
     if form in _CLITIC_BE and _stands_before_a_state(sentence, word):
         return "be"
     children = sentence.children(word.index)
     if word.xpos == "NNS" and word.deprel == "acl:relcl" and any(child.deprel == "nsubj" for child in children):
         return word.lemma.lower()  # "Everybody who leaves": the tagger takes it for the plural of a noun.
-    if word.upos not in ("VERB", "AUX"):
+    if word.upos not in VERBS:
         return form
     if form == "ca" and word.lemma.lower() == "can":
         return "can"  # "You ca n't see".
@@ -362,8 +361,8 @@ def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
 def _stands_before_a_state(sentence: Sentence, word: Word) -> bool:
     """Whether a clitic that the parser takes for a possessive means "is": "the light's on"."""
     said = sentence.tree.words[word.index : word.index + 2]
-    behind = [one for one in said if one.form.lower() not in _PADDING][:1]
-    return bool(behind) and (behind[0].upos == "ADJ" or behind[0].form.lower() in _STATES)
+    behind = [one for one in said if one.said not in _PADDING][:1]
+    return bool(behind) and (behind[0].upos == "ADJ" or behind[0].said in _STATES)
 
 
 def _follows_have(sentence: Sentence, word: Word) -> bool:
@@ -436,14 +435,14 @@ def _argument(
     if kind == "state":
         return argument_of(sentence, name, positions) if _is_state(words[0]) else None
     if kind == "clock":
-        clock = clock_time_at(["at", *(word.form.lower() for word in words)])
+        clock = clock_time_at(["at", *(word.said for word in words)])
         is_whole = clock is not None and clock.length == len(words) + 1
         is_once = clock is not None and clock.when is not None and clock.when.kind == "time"
         if clock is None or not (is_whole and is_once):
             return None
         text = sentence.text(positions)
         return replace(argument_of(sentence, name, positions), text=text, words=text, time=clock.when)
-    if kind == "word" and words[0].form.lower() not in _NO_PHRASE:
+    if kind == "word" and words[0].said not in _NO_PHRASE:
         return argument_of(sentence, name, positions)
     quantity = element.quantity if element is not None else None
     if quantity is not None:
@@ -464,7 +463,7 @@ def _argument(
 
 
 def _is_state(word: Word) -> bool:
-    form = word.form.lower()
+    form = word.said
     return form in _STATES or (word.upos in ("ADJ", "VERB") and word.xpos in _ADJECTIVES)
 
 
@@ -484,25 +483,25 @@ def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> 
     positions = [word.index for word in words]
     if any(word.upos in _NO_NOUNS and word.deprel not in ("amod", "compound") for word in words):
         return False
-    if any(word.form.lower() in _NO_PHRASE - _NOBODY - _NOTHING for word in words):
+    if any(word.said in _NO_PHRASE - _NOBODY - _NOTHING for word in words):
         return False
     if is_place and len(words) == 1:
         return True
-    if not any(word.upos in _NOUNS for word in (words[0], words[-1])) and words[0].upos != "DET":
+    if not any(word.upos in PHRASE_HEADS for word in (words[0], words[-1])) and words[0].upos != "DET":
         return False
-    is_list = any(word.deprel == "conj" and word.upos in _NOUNS and word.head in positions for word in words)
+    is_list = any(word.deprel == "conj" and word.upos in PHRASE_HEADS and word.head in positions for word in words)
     if any(word.upos == "CCONJ" and not is_list for word in words) or any(map(_is_number_choice, words)):
         return False
     # "In the kitchen with Bob": only places tell which thing or place is meant.
     behind = words if is_place else words[1:]
-    if any(word.upos == "ADP" and word.form.lower() not in _OF_PLACES for word in behind):
+    if any(word.upos == "ADP" and word.said not in _OF_PLACES for word in behind):
         return False
     if not is_place and words[0].upos == "ADP":
         return False
     if words[0].upos == "DET" and all(word.upos in _OF_BARE_PHRASES for word in words[1:]):
         # "The bell rings" is hardly a verb for the parser; an article makes a phrase of what follows.
         return len(words) > 1
-    return len(heads(sentence.tree, positions)) == 1 and words[-1].upos in _NOUNS | {"ADV"}
+    return len(heads(sentence.tree, positions)) == 1 and words[-1].upos in PHRASE_HEADS | {"ADV"}
 
 
 def _is_number_choice(word: Word) -> bool:

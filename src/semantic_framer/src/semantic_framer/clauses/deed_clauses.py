@@ -55,7 +55,7 @@ def of_own_deed(sentence: Sentence, features: ClauseFeatures, known: FramedLexic
     has_object = any(
         path.steps[0] in _OBJECTS for unit in acting for relation in unit.relations for path in relation.relations
     )
-    if not acting or has_object or [child.form.lower() in _HEARERS for child in subjects] != [True]:
+    if not acting or has_object or [child.said in _HEARERS for child in subjects] != [True]:
         return features
     return replace(features, agent=subjects[0].index, is_passive=False, aspect=Aspect.DONE)
 
@@ -69,8 +69,8 @@ def with_going(sentence: Sentence, features: ClauseFeatures) -> Tuple[Sentence, 
     """
     tree, top = sentence.tree, sentence.word(features.top)
     children = tree.children(top.index)
-    been = next((child for child in children if child.deprel == "cop" and child.form.lower() == _BEEN), None)
-    if been is None or not any(child.deprel == "case" and child.form.lower() == _TO for child in children):
+    been = next((child for child in children if child.deprel == "cop" and child.said == _BEEN), None)
+    if been is None or not any(child.deprel == "case" and child.said == _TO for child in children):
         return sentence, features
     edit = TreeEdit(tree)
     edit.drop_brackets()
@@ -128,7 +128,7 @@ class DeedClause:
         above = (0, self._top, self.features.top)
         word = self._sentence.word(self.features.asked)
         while word.index not in above and word.head not in above:
-            word = self._sentence.word(word.head)
+            word = self._sentence.tree.governor(word)
         return word.index
 
     def _asks(self) -> str:
@@ -137,10 +137,10 @@ class DeedClause:
             return WHETHER
         if self._asked_phrase == self.features.agent and not self.features.is_passive:
             return WHO
-        form = self._sentence.word(self.features.asked).form.lower()
+        form = self._sentence.word(self.features.asked).said
         if form in _ASKED:
             return _ASKED[form]
-        head = self._sentence.word(self._asked_phrase).form.lower()
+        head = self._sentence.word(self._asked_phrase).said
         if form == HOW:
             return _OF_AMOUNT.get(head, "") if head != HOW else HOW
         return WHERE if form == WHERE else ""
@@ -179,10 +179,9 @@ class DeedClause:
         if self.asks and self._asked_phrase not in (0, self._top):
             outside |= tree.subtree(self._asked_phrase)
         for child in tree.children(self._top):
-            form = child.form.lower()
             # "Do you know *how* to close it?"
-            is_way = form == HOW and self._top != self.features.top
-            if form in _PADDING or child.deprel in ("punct", "mark", "cc") or is_way:
+            is_way = child.said == HOW and self._top != self.features.top
+            if child.said in _PADDING or child.deprel in ("punct", "mark", "cc") or is_way:
                 outside.add(child.index)
         return frozenset(outside)
 
@@ -209,12 +208,12 @@ class DeedClause:
     @property
     def is_of_robot(self) -> bool:
         """Whether the robot acts."""
-        return bool(self.features.agent) and self._sentence.word(self.features.agent).form.lower() in _HEARERS
+        return bool(self.features.agent) and self._sentence.word(self.features.agent).said in _HEARERS
 
     def agent(self) -> TypedArgument:
         """Return who acts: the robot, the speaker, somebody with a name, or whoever is asked for."""
         head = self.features.agent
-        form = self._sentence.word(head).form.lower() if head else ""
+        form = self._sentence.word(head).said if head else ""
         if not form or form in _HEARERS:
             return TypedArgument(AGENT, ROBOT if form else WHO, Source.INFERRED)
         if form in _SPEAKERS:
@@ -226,7 +225,7 @@ class DeedClause:
     @property
     def is_of_person(self) -> bool:
         """Whether a person acts, or somebody."""
-        form = self._sentence.word(self.features.agent).form.lower() if self.features.agent else ""
+        form = self._sentence.word(self.features.agent).said if self.features.agent else ""
         return form in _WHO | _SPEAKERS or (
             bool(form) and self._sentence.types.likeliest(self.features.agent) == _PERSON
         )

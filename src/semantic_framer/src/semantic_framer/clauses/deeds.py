@@ -35,7 +35,7 @@ def _deeds(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
     """Read each clause except the clauses that only tell something."""
     found: List[ClauseReadings] = []
     ahead: List[Clause] = []
-    has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
+    has_order = any(word.said == "then" for word in case.sentence.tree.words)
     for clause, kind in zip(case.clauses, case.kinds):
         is_read = kind.is_read or (clause.is_negated and not _is_reason(case, clause))
         is_beside = bool(found and found[-1].kept) or (not found and _is_before_command(case, clause))
@@ -80,8 +80,8 @@ def _is_forbidden_meanwhile(case: Case, clause: Clause) -> bool:
     """Whether a clause says what is not to be done besides a command: "take the cup, but *don't drop it*"."""
     if case.policy.left_over_words is not LeftOverWords.ASK or not clause.is_negated or clause.condition:
         return False
-    subject = case.sentence.word(clause.subject).form.lower() if clause.subject else ""
-    forms = [child.form.lower() for child in case.sentence.children(clause.verb)]
+    subject = case.sentence.word(clause.subject).said if clause.subject else ""
+    forms = [child.said for child in case.sentence.children(clause.verb)]
     is_forbidden = "never" in forms or ("do" in forms and not _NOT.isdisjoint(forms))
     return (not subject or subject in _HEARERS) and is_forbidden
 
@@ -89,7 +89,7 @@ def _is_forbidden_meanwhile(case: Case, clause: Clause) -> bool:
 def _is_reason(case: Case, clause: Clause) -> bool:
     """Whether a negated clause gives the reason for a later command, and forbids nothing: "*I can't reach it*, get it
     for me"."""
-    subject = case.sentence.word(clause.subject).form.lower() if clause.subject else ""
+    subject = case.sentence.word(clause.subject).said if clause.subject else ""
     is_before = clause.verb < max((one.verb for one, kind in zip(case.clauses, case.kinds) if kind.acts), default=0)
     return is_before and bool(subject) and subject not in _HEARERS and case.is_background(clause)
 

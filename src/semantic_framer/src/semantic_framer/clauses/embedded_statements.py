@@ -37,7 +37,7 @@ def with_statements(reading: Reading, sentence: Sentence, known: FramedLexicon) 
 
 
 def _says(sentence: Sentence, known: FramedLexicon, positions: Tuple[int, ...]) -> Tuple[EmbeddedFrame, ...]:
-    while positions and sentence.word(positions[0]).form.lower() in _OPENING:
+    while positions and sentence.word(positions[0]).said in _OPENING:
         positions = positions[1:]
     said = read_condition(sentence, known, positions)
     return () if said is None else _frames(said, sentence) or ()

@@ -147,7 +147,7 @@ def event_condition(
     if deed is None or deed.missing or clause.said_when or not words <= _words_read(sentence, clause, deed):
         return None
     if clause.is_of_robot:
-        if any(child.form.lower() == _AFTER for child in sentence.children(top)):
+        if any(child.said == _AFTER for child in sentence.children(top)):
             return None  # "After you have closed the door, go": it shall close it first.
         return _of_robot(known, clause, deed, is_of_the_past)
     result = known.frames[deed.unit.frame_name].results_in

@@ -6,7 +6,6 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple, Union
 from semantic_framer.filling.control import ITERATION, kept_up, with_duration, with_times
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.filling.matching import match_units
-from semantic_framer.filling.slight_amounts import stated
 from semantic_framer.filling.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.judging.verdicts import (
     CLAUSE_VERDICTS,
@@ -25,6 +24,7 @@ from semantic_framer.values.dialogue import Context, Lesson
 from semantic_framer.values.outcome import CAREFUL, Outcome, Refusal
 from semantic_framer.values.reading import Reading, rank, without_duplicates
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import stated
 from semantic_framer.values.things import is_indefinite
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import TypedArgument
@@ -277,7 +277,7 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
         for index in sorted(clause.positions)
         if index in tree.quoted or not (index in around or _is_around(tree.word(index), clause))
     ]
-    while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
+    while said and said[0] != clause.verb and tree.word(said[0]).said in _SAID_AROUND | _JOINING:
         del said[0]
     written = [as_written(tree, tree.word(index)) for index in said]
     # The person sees what a typo was taken for.

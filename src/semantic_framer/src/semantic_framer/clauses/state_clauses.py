@@ -34,7 +34,7 @@ from semantic_framer.clauses.state_phrases import (
 )
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures
 from semantic_framer.values.sentence import Sentence
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import NOMINALS, PHRASE_HEADS, Word
 from word_classes import word_class
 
 _PERSON_NOUNS = word_class("general_person_nouns")
@@ -117,16 +117,16 @@ class _OfBe(StatePhrases):
         return self._located(subject, place)
 
     def _of_predicate(self, subject: Word) -> Optional[StateClause]:
-        top, form = self._top, self._top.form.lower()
+        top, form = self._top, self._top.said
         # "Which rooms have you *been* to" asks for what it did.
         is_over = self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
-        if is_over and subject.form.lower() in US and any(c.form.lower() == _BEEN for c in self._children):
+        if is_over and subject.said in US and any(child.said == _BEEN for child in self._children):
             return None
         if form in _WHERE:
             return self._where(subject)
-        if form in WHO and subject.form.lower() in HERE:
+        if form in WHO and subject.said in HERE:
             return StateClause(LOCATED, PERSON, {"location": (subject.index,)})
-        owner = next((child for child in self._children if child.form.lower() == _WHOSE), None)
+        owner = next((child for child in self._children if child.said == _WHOSE), None)
         if owner is not None:
             self._asking = frozenset([owner.index])
             return StateClause(BELONGING, "owner", {"theme": self._phrase(top, self._asking | self._own(top))})
@@ -136,7 +136,7 @@ class _OfBe(StatePhrases):
             return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
         if form in WHICH | WHO:
             return self._of_noun(subject)
-        behind = next((c for c in self._children if c.deprel == "case" and c.form.lower() in _STATES), None)
+        behind = next((c for c in self._children if c.deprel == "case" and c.said in _STATES), None)
         if behind is not None and behind.index > top.index:
             # "Is the radio in the kitchen on": the parser takes "on" for a preposition of the kitchen.
             outside = self._own(top) | {behind.index}
@@ -146,7 +146,7 @@ class _OfBe(StatePhrases):
             if self._asked_of(top):
                 return None if self._asked_of(top) != THING else self._in_which_place(subject)
             return self._located(subject, top)
-        if top.upos in ("NOUN", "PROPN", "PRON", "NUM"):
+        if top.upos in PHRASE_HEADS:
             return None
         if is_superlative(top):
             return self._foremost(subject)
@@ -156,9 +156,9 @@ class _OfBe(StatePhrases):
         return self._where(subject) if self._top.lemma.lower() in _PLACE_NOUNS else None
 
     def _where(self, subject: Word) -> Optional[StateClause]:
-        if subject.form.lower() in US:
+        if subject.said in US:
             return StateClause(LOCATED, "own_place", {})
-        if subject.form.lower() in self._no_themes:
+        if subject.said in self._no_themes:
             return None
         return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
 
@@ -174,7 +174,7 @@ class _OfBe(StatePhrases):
             elements = {"theme": self._phrase(owner, self._cases(owner)), "attribute": (subject.index,)}
             return StateClause(MEASURED, "measure", elements)
         if any(is_superlative(child) for child in children):
-            here = next((child for child in self._children if child.form.lower() in HERE), None)
+            here = next((child for child in self._children if child.said in HERE), None)
             known = next((child for child in children if child.lemma.lower() in _SEEN | {_KNOWN}), None)
             # "The biggest thing *you know of* in the hall."
             outside = frozenset() if known is None else self._sentence.subtree(known.index)
@@ -204,9 +204,9 @@ class _OfBe(StatePhrases):
             if found:
                 self._asking = frozenset(self._phrase(subject)) if asked else frozenset()
                 return StateClause(MEASURED, WHICH_OF, {"attribute": (self._top.index,), **found})
-        is_how = any(child.form.lower() == _HOW for child in self._children)
+        is_how = any(child.said == _HOW for child in self._children)
         standard = self._behind(_FROM if is_how else THAN, self._children)
-        is_thing = subject.upos in ("NOUN", "PROPN", "PRON") and subject.form.lower() not in self._no_themes
+        is_thing = subject.upos in NOMINALS and subject.said not in self._no_themes
         if not (is_how or standard) or not is_thing or asked:
             return None
         elements = {"theme": self._phrase(subject), "attribute": (self._top.index,)}
@@ -223,7 +223,7 @@ class _OfBe(StatePhrases):
         items = [c for c in around if c.deprel in ("conj", "nsubj") and c.index > one.index]
         inner = [c for item in items for c in self._sentence.children(item.index)]
         joints = [c for c in (*inner, *self._children) if c.deprel == "cc"]
-        if len(items) != 1 or [joint.form.lower() for joint in joints] != [_OR]:
+        if len(items) != 1 or [joint.said for joint in joints] != [_OR]:
             return {}
         without = self._sentence.subtree(items[0].index)
         other = self._phrase(items[0], frozenset([joints[0].index]))
@@ -231,7 +231,7 @@ class _OfBe(StatePhrases):
 
     def _foremost(self, subject: Word) -> Optional[StateClause]:
         theme = self._theme(subject)
-        near = next((child for child in self._children if child.form.lower() in US and self._cases(child)), None)
+        near = next((child for child in self._children if child.said in US and self._cases(child)), None)
         if near is not None:  # "Which door is nearest *to you*?"
             self._asking = self._sentence.subtree(near.index)
         if not self._asked_of(subject) or not theme:
@@ -240,12 +240,12 @@ class _OfBe(StatePhrases):
         return StateClause(FOREMOST, "theme", {**theme, "rank": (*places, self._top.index)})
 
     def _located(self, subject: Word, place: Word) -> Optional[StateClause]:
-        form = subject.form.lower()
+        form = subject.said
         if form in self._no_themes:
             return None
         if place.lemma.lower() in _HANDS:
             return self._in_hand(subject, place)
-        if not self._is_asked and place.form.lower() in HERE - {"there"}:
+        if not self._is_asked and place.said in HERE - {"there"}:
             return StateClause(PRESENT, WHETHER, {"theme": self._phrase(subject)})
         outside = self._sentence.subtree(place.index) if place.index != self._top.index else frozenset()
         words = self._with_alternative({}, "location", place)
@@ -262,18 +262,18 @@ class _OfBe(StatePhrases):
         return StateClause(LOCATED, asked or WHETHER, {**theme, **words})
 
     def _in_state(self, subject: Word) -> Optional[StateClause]:
-        form, top = subject.form.lower(), self._top
+        form, top = subject.said, self._top
         # "It is raining" says nothing of a thing.
         if form in self._no_themes or (form == "it" and top.xpos == "VBG"):
             return None
         state = top
-        if top.form.lower() == "left" and top.deprel != "advmod":
-            if not any(child.form.lower() in _STATES or child.upos == "ADJ" for child in self._children):
+        if top.said == "left" and top.deprel != "advmod":
+            if not any(child.said in _STATES or child.upos == "ADJ" for child in self._children):
                 asked = self._asked_of(subject)
                 return StateClause(EXISTING, asked or WHETHER, self._theme(subject))
-        if top.lemma.lower() in _KEPT or top.form.lower() == "left":
+        if top.lemma.lower() in _KEPT or top.said == "left":
             found = [child for child in self._children if child.deprel in ("compound:prt", "advmod", "xcomp", "obl")]
-            state = next((child for child in found if child.form.lower() in _STATES or child.upos == "ADJ"), top)
+            state = next((child for child in found if child.said in _STATES or child.upos == "ADJ"), top)
             if state is top:
                 return None
         elements = self._with_alternative({}, "state", state)
@@ -307,7 +307,7 @@ class _OfVerb(StatePhrases):
     def _of_verb(self) -> Optional[StateClause]:
         assert self._subject is not None
         subject = self._subject
-        if self._features.asked and self._sentence.word(self._features.asked).form.lower() in _WHERE:
+        if self._features.asked and self._sentence.word(self._features.asked).said in _WHERE:
             return self._whereabouts(subject)
         has = any(child.lemma.lower() == "have" for child in self._children if child.deprel == "aux")
         if self._lemma == "have" or (self._lemma == "get" and has):
@@ -316,16 +316,16 @@ class _OfVerb(StatePhrases):
             return self._of_holding(subject)
         if self._lemma in (_OWN, _BELONG):
             return self._of_belonging(subject)
-        if self._is_asked and self._lemma in _SEEN | {_KNOWN} and subject.form.lower() in US:
+        if self._is_asked and self._lemma in _SEEN | {_KNOWN} and subject.said in US:
             return self._of_perceiving()
         return None
 
     def _whereabouts(self, subject: Word) -> Optional[StateClause]:
         """Read "where can I find the mug", "where did the mug go", "where did I leave the mug"."""
         thing = self._object()
-        if thing is not None and subject.form.lower() in US and self._lemma in _FOUND | _SEEN:
+        if thing is not None and subject.said in US and self._lemma in _FOUND | _SEEN:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
-        if thing is None and self._lemma in _GONE and subject.form.lower() not in self._no_themes:
+        if thing is None and self._lemma in _GONE and subject.said not in self._no_themes:
             return StateClause(LOCATED, "location", {"theme": self._phrase(subject)})
         return None
 
@@ -343,7 +343,7 @@ class _OfVerb(StatePhrases):
         if thing.lemma.lower() in _COLOURS and self._asked_of(thing):
             self._asking = self._sentence.subtree(thing.index)
             return StateClause(COLOURED, "colour", {"theme": self._phrase(subject)})
-        is_ours, asked = subject.form.lower() in US, self._asked_of(thing)
+        is_ours, asked = subject.said in US, self._asked_of(thing)
         if asked == COUNT:
             theme = self._theme(thing)
             place = self._place_of(self._top)
@@ -378,7 +378,7 @@ class _OfVerb(StatePhrases):
 
     def _of_perceiving(self) -> Optional[StateClause]:
         thing = self._object()
-        if thing is None or (self._features.agent and self._sentence.word(self._features.agent).form.lower() not in US):
+        if thing is None or (self._features.agent and self._sentence.word(self._features.agent).said not in US):
             return None
         place = self._place_of(self._top) or self._place_of(thing)
         outside = frozenset() if place is None else self._sentence.subtree(place.index)

@@ -74,7 +74,7 @@ class StatePhrases:
         function = _FUNCTION if self._is_asked else _FUNCTION - {"mark"}
         for index in (self._sentence.subtree(self._top.index) & self._words) - said.union(times):
             word = self._sentence.word(index)
-            is_small = word.deprel.split(":")[0] in function | {"det", "case"} or word.form.lower() in _LEFT
+            is_small = word.deprel.split(":")[0] in function | {"det", "case"} or word.said in _LEFT
             is_own = index in (self._top.index, self._features.asked) or word.lemma.lower() in (MANY, "be")
             is_time = self._is_asked and self._sentence.types.likeliest(index) == "Time"
             if not is_small and not is_own and not is_time and word is not self._subject:
@@ -82,10 +82,7 @@ class StatePhrases:
         return True
 
     def _cases(self, word: Word) -> FrozenSet[int]:
-        return frozenset(child.index for child in self._case_words(word))
-
-    def _case_words(self, word: Word) -> Tuple[Word, ...]:
-        return tuple(child for child in self._sentence.children(word.index) if child.deprel == "case")
+        return frozenset(child.index for child in self._sentence.tree.prepositions(word.index))
 
     def _phrase(self, word: Word, without: FrozenSet[int] = frozenset()) -> Positions:
         """Return a phrase without what only asks: "which", "how many"."""
@@ -109,19 +106,19 @@ class StatePhrases:
         return next((child for child in children if child.index in self._words and self._is_place(child)), None)
 
     def _is_place(self, word: Word) -> bool:
-        cases = [child.form.lower() for child in self._case_words(word)]
+        cases = self._sentence.tree.said_prepositions(word.index)
         if word.deprel.split(":")[0] not in ("obl", "nmod", "advmod", "conj") and word.index != self._top.index:
             return False
-        is_left = word.form.lower() in _LEFT and word.index != self._top.index
+        is_left = word.said in _LEFT and word.index != self._top.index
         if is_left or any(word.index in time for time in self._sentence.tree.times):
             return False
         if self._sentence.types.likeliest(word.index) == "Time":
             return False  # "at the moment"
-        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.form.lower() in HERE
+        return (bool(cases) and cases[0] in _PLACES and word.upos != "ADJ") or word.said in HERE
 
     def _asked_of(self, word: Word) -> str:
         """Return what a phrase asks for; empty if it asks for nothing."""
-        form = word.form.lower()
+        form = word.said
         asked = self._sentence.word(self._features.asked) if self._features.asked else None
         if form in WHO:
             return PERSON
@@ -130,16 +127,16 @@ class StatePhrases:
             inside = inside - self._sentence.subtree(self._subject.index)
         if asked is None or asked.index not in inside:
             return ""
-        if asked.form.lower() == "how":
+        if asked.said == "how":
             # "How *many* of the lamps", "how many *lamps*".
             counted = (word, *self._sentence.children(word.index))
             return COUNT if any(one.lemma.lower() == MANY for one in counted) else ""
-        return THING if asked.form.lower() in WHICH else ""
+        return THING if asked.said in WHICH else ""
 
     def _theme(self, word: Word, without: FrozenSet[int] = frozenset()) -> Dict[str, Positions]:
         """Return the words of a theme, and of its place, if what is asked for is at a place: "doors *in the hall*"."""
         asks = self._asked_of(word)
-        form = word.form.lower()
+        form = word.said
         if asks and form in WHO | WHICH | {MANY}:
             inner = next((child for child in self._sentence.children(word.index) if child.deprel == "nmod"), None)
             return {} if inner is None else {"theme": self._bare(inner)}
@@ -161,7 +158,7 @@ class StatePhrases:
         other = next((child for child in children if child.deprel == "conj" and child.index in self._words), None)
         outside = frozenset() if other is None else self._sentence.subtree(other.index)
         found = {**words, name: self._phrase(word, outside | self._own(word))}
-        if other is not None and other.form.lower() != "not":
+        if other is not None and other.said != "not":
             joints = frozenset(c.index for c in self._sentence.children(other.index) if c.deprel == "cc")
             found["alternative"] = self._phrase(other, joints)
         return found
@@ -179,21 +176,21 @@ class StatePhrases:
 
     def _left(self, word: Word) -> FrozenSet[int]:
         """Return the words of "any milk *left*"."""
-        return frozenset(child.index for child in self._sentence.children(word.index) if child.form.lower() == "left")
+        return frozenset(child.index for child in self._sentence.children(word.index) if child.said == "left")
 
     def _object(self) -> Optional[Word]:
         return next((child for child in self._children if child.deprel == "obj"), None)
 
     def _of_holding(self, subject: Word) -> Optional[StateClause]:
         thing = self._object()
-        if thing is None or (subject.form.lower() in US - _HEARERS and self._is_asked):
+        if thing is None or (subject.said in US - _HEARERS and self._is_asked):
             return None
         if self._asked_of(subject) == PERSON:
             return StateClause(LOCATED, "location", {"theme": self._phrase(thing)})
         agent = {"agent": self._phrase(subject)}
-        if thing.form.lower() in THINGS_ASKED:
+        if thing.said in THINGS_ASKED:
             self._asking |= {thing.index}
-        if thing.form.lower() in THINGS_ASKED or self._asked_of(thing):
+        if thing.said in THINGS_ASKED or self._asked_of(thing):
             return StateClause(HOLDING, "theme", agent)
         return self._held(subject, thing)
 
@@ -204,17 +201,17 @@ class StatePhrases:
 
     def _in_hand(self, subject: Word, hand: Word) -> Optional[StateClause]:
         """Read "what is in your hand", "is the mug in your hand"."""
-        owners = [child.form.lower() for child in self._sentence.children(hand.index) if child.deprel == "nmod:poss"]
+        owners = [child.said for child in self._sentence.children(hand.index) if child.deprel == "nmod:poss"]
         if owners != ["your"]:
             return None
         self._asking = self._sentence.subtree(hand.index)
-        if self._asked_of(subject) == THING or subject.form.lower() in THINGS_ASKED:
+        if self._asked_of(subject) == THING or subject.said in THINGS_ASKED:
             return StateClause(HOLDING, "theme", {})
         return StateClause(HOLDING, WHETHER, {"theme": self._phrase(subject)})
 
     def _behind(self, preposition: str, words: Sequence[Word]) -> Optional[Word]:
         """Return the first of some words behind a preposition; None if it stands before none of them."""
-        return next((one for one in words if [c.form.lower() for c in self._case_words(one)] == [preposition]), None)
+        return next((one for one in words if self._sentence.tree.said_prepositions(one.index) == [preposition]), None)
 
     def _more_than(self, things: Word, place: Optional[Word]) -> Optional[StateClause]:
         """Read "are there *more mugs than plates in the kitchen*"; None for things that are not compared."""

@@ -5,21 +5,21 @@ for it.
 from typing import AbstractSet, Collection, Container, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
 from semantic_framer.units.frame_roles import DIRECTION
+from semantic_framer.values.things import is_direction
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.phrases.amounts import is_beside, is_number
-from utterance_passes.phrases.clauses import has_case, prepositions_of
+from utterance_passes.phrases.clauses import has_case
 from utterance_passes.phrases.shared_objects import shared_object
 from utterance_passes.trees.persons import is_likely, is_person, is_person_or_name
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import NOUNS, DependencyTree
 from word_classes import word_class
 
 #: These prepositions identify a thing or person only directly after its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
-_ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
 _INDEFINITES = word_class("indefinites")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
@@ -48,16 +48,16 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     """
     word = tree.word(index)
     if word.deprel == "advmod":
-        return word.form.lower() in _PLACE_ADVERBS
-    prepositions = prepositions_of(tree, index)
+        return word.said in _PLACE_ADVERBS
+    prepositions = tree.said_prepositions(index)
     if not prepositions or not _is_prepositional(tree, index) or is_of_every_action(prepositions[0], word.form):
         return False
     if prepositions[0] == "by" and is_number(tree, index):
         return False  # "the cup *by six*" is a time
     # "The door on the left", with the tag of the adverb.
-    if word.upos == "ADV" and word.form.lower() not in _LEFT_AND_RIGHT:
+    if word.upos == "ADV" and word.said not in _LEFT_AND_RIGHT:
         return False
-    if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
+    if prepositions[0] == "to" and word.said in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
     if prepositions[0] in _OF_A_THING and (word.lemma.lower() in _MARKINGS or contents_behind(tree, index)):
         return True  # "the shirt *with blue stripes*"
@@ -75,16 +75,15 @@ def contents_behind(tree: DependencyTree, index: int) -> int:
         tree: the sentence
         index: head of the phrase
     """
-    if prepositions_of(tree, index)[:1] != ["with"]:
+    if tree.preposition(index) != "with":
         return 0
     own = {index, *(one.index for one in tree.children(index) if one.index < index)}
     for word in tree.words[index:]:
-        is_there = word.form.lower() in _PRONOUNS and prepositions_of(tree, word.index)[:1]
-        if is_there and prepositions_of(tree, word.index)[0] in _PLACE_PREPOSITIONS:
-            first = min(child.index for child in tree.children(word.index) if child.deprel == "case")
+        if word.said in _PRONOUNS and tree.preposition(word.index) in _PLACE_PREPOSITIONS:
+            first = tree.prepositions(word.index)[0].index
             between = range(max(own) + 1, first)
             return word.index if all(tree.word(one).head in own for one in between) else 0
-        if word.deprel == "case" and tree.word(word.head).form.lower() not in _PRONOUNS:
+        if word.deprel == "case" and tree.governor(word).said not in _PRONOUNS:
             return 0
     return 0
 
@@ -97,7 +96,7 @@ def are_contents(tree: DependencyTree, index: int) -> bool:
         return True
     is_behind = any(contents_behind(tree, word.index) == index for word in tree.words[: index - 1])
     return is_behind and any(
-        word.deprel == "case" and word.form.lower() in _PLACING_PREPOSITIONS and word.head > index
+        word.deprel == "case" and word.said in _PLACING_PREPOSITIONS and word.head > index
         for word in tree.words[index:]
     )
 
@@ -106,17 +105,17 @@ def tells_which(tree: DependencyTree, index: int) -> bool:
     """Whether a phrase of a noun says from which side a thing is counted, or what a person wears: "the second bottle
     *from the left*", "the man *in the red shirt*". No verb takes it."""
     word = tree.word(index)
-    prepositions = prepositions_of(tree, index)
+    prepositions = tree.said_prepositions(index)
     if word.deprel != "nmod":
         return False
     if prepositions == ["from"]:
-        is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(word.head))
-        return word.form.lower() in (_SIDES_OF_A_ROW if is_counted else _LEFT_AND_RIGHT)
+        is_counted = any(child.said in _ORDINALS for child in tree.children(word.head))
+        return word.said in (_SIDES_OF_A_ROW if is_counted else _LEFT_AND_RIGHT)
     if prepositions == ["to"]:
         # "Bring me the cup *to the left of the plate*"; "put the cup to the left of the plate" says where to.
-        has_receiver = any(child.deprel == "iobj" for child in tree.children(tree.word(word.head).head))
-        return has_receiver and word.form.lower() in _LEFT_AND_RIGHT
-    return prepositions == ["in"] and is_person_or_name(tree.word(word.head)) and is_likely(word, ["Clothing"])
+        has_receiver = any(child.deprel == "iobj" for child in tree.children(tree.governor(word).head))
+        return has_receiver and word.said in _LEFT_AND_RIGHT
+    return prepositions == ["in"] and is_person_or_name(tree.governor(word)) and is_likely(word, ["Clothing"])
 
 
 def is_right_behind(tree: DependencyTree, phrase: FrozenSet[int], noun: FrozenSet[int]) -> bool:
@@ -131,8 +130,8 @@ def places_said(tree: DependencyTree, heads: Iterable[int]) -> List[int]:
 
     def key(index: int) -> Tuple[bool, int]:
         word = tree.word(index)
-        before = min(tree.subtree(index)) - 1
-        tells = [one for one in (word.head, before) if one and tree.word(one).form.lower() in _INDEFINITES]
+        before = tree.phrase_start(index) - 1
+        tells = [one for one in (word.head, before) if one and tree.word(one).said in _INDEFINITES]
         return bool(tells), index
 
     return sorted(heads, key=key)
@@ -140,21 +139,21 @@ def places_said(tree: DependencyTree, heads: Iterable[int]) -> List[int]:
 
 def _is_prepositional(tree: DependencyTree, index: int) -> bool:
     """Whether a phrase begins with its preposition, or with adverbs that make it more precise: "directly in front"."""
-    first = min(child.index for child in tree.children(index) if child.deprel == "case")
+    first = tree.prepositions(index)[0].index
     before = [tree.word(position) for position in tree.subtree(index) if position < first]
-    return all(word.form.lower() in _ADVERBS_BEFORE_PREPOSITIONS for word in before)
+    return all(word.said in _ADVERBS_BEFORE_PREPOSITIONS for word in before)
 
 
 def has_postmodifiers(tree: DependencyTree, index: int) -> bool:
     """Whether a place behind a word can tell which is meant: "the mug on the table", "Bob at the door"."""
     word = tree.word(index)
-    return word.upos in ("NOUN", "PROPN") or word.form.lower() in _INDEFINITE_PERSONS
+    return word.upos in NOUNS or word.said in _INDEFINITE_PERSONS
 
 
 def is_of_something(tree: DependencyTree, index: int) -> bool:
     """Whether a noun has a complement with "of": "the name of the man"."""
     return any(
-        child.deprel == "nmod" and any(case.form.lower() == "of" for case in tree.children(child.index))
+        child.deprel == "nmod" and any(case.said == "of" for case in tree.children(child.index))
         for child in tree.children(index)
     )
 
@@ -170,9 +169,9 @@ def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) 
     """
     described = [child.index for child in tree.children(verb) if child.index > verb]
     is_purpose = any(child.deprel == "mark" for child in tree.children(verb))
-    end = max(tree.subtree(verb))
+    end = tree.phrase_end(verb)
     return tuple(
-        index for index in phrases if (is_purpose or index != min(described)) and max(tree.subtree(index)) == end
+        index for index in phrases if (is_purpose or index != min(described)) and tree.phrase_end(index) == end
     )
 
 
@@ -188,14 +187,14 @@ def persons_behind(tree: DependencyTree, verb: int, preposition: str, *, is_need
         preposition: of the person
         is_needed: whether the verb of the sentence lacks something without such a phrase
     """
-    last = max(tree.subtree(verb))
+    last = tree.phrase_end(verb)
     found = []
     for index in sorted(tree.subtree(verb)):
         word = tree.word(index)
-        governor = tree.word(word.head) if word.head else word
-        has_preposition = any(c.deprel == "case" and c.form.lower() == preposition for c in tree.children(index))
-        is_end = has_preposition and max(tree.subtree(index)) == last and governor.upos == "NOUN"
-        is_speaker = word.form.lower() in _SPEAKERS
+        governor = tree.governor(word)
+        has_preposition = any(c.said == preposition for c in tree.prepositions(index))
+        is_end = has_preposition and tree.phrase_end(index) == last and governor.upos == "NOUN"
+        is_speaker = word.said in _SPEAKERS
         # "The man reading the letter to the nurse": the letter may be to her.
         is_of_place = governor.index != verb and governor.deprel in ("obl", "nmod") and not is_person(governor)
         if is_end and (is_speaker or (is_of_place and preposition == "to" and (is_needed or is_person(word)))):
@@ -212,12 +211,12 @@ def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
     """Return the prepositions of the place phrases before a phrase, nearest first: in "the box on the table on the
     couch", "on" precedes "on the couch".
     """
-    own = [child.index for child in tree.children(head) if child.deprel == "case"]
+    own = [child.index for child in tree.prepositions(head)]
     before = tree.words[: own[0] - 1] if own else ()
     return tuple(
-        word.form.lower()
+        word.said
         for word in reversed(before)
-        if word.deprel == "case" and word.form.lower() in _PLACE_PREPOSITIONS and word.head < own[0]
+        if word.deprel == "case" and word.said in _PLACE_PREPOSITIONS and word.head < own[0]
     )
 
 
@@ -227,7 +226,7 @@ def words_before(tree: DependencyTree, verb: int, first: int, free: FrozenSet[in
     if before <= verb or before not in free or tree.word(first).deprel != "case":
         return frozenset()
     word = tree.word(before)
-    is_precise = word.deprel == "advmod" and word.form.lower() in _ADVERBS_BEFORE_PREPOSITIONS
+    is_precise = word.deprel == "advmod" and word.said in _ADVERBS_BEFORE_PREPOSITIONS
     return frozenset([before]) if is_precise else frozenset()
 
 
@@ -235,15 +234,10 @@ def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
     """Return the words before a number that belong to it: "by almost" in "by almost 90 degrees"."""
     found = []
     position = first - 1
-    while position > 0 and tree.word(position).form.lower() in _AMOUNT_MODIFIERS:
+    while position > 0 and tree.word(position).said in _AMOUNT_MODIFIERS:
         found.append(position)
         position -= 1
     return frozenset(found)
-
-
-def is_direction(tree: DependencyTree, index: int) -> bool:
-    """Whether a word names a direction: "east", "left"."""
-    return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
 def lost_directions(tree: DependencyTree, frame: SemanticFrame, arguments: Iterable[TypedArgument]) -> FrozenSet[int]:
@@ -256,7 +250,7 @@ def lost_directions(tree: DependencyTree, frame: SemanticFrame, arguments: Itera
         if argument.head_position and element is not None and element.framenet == DIRECTION:
             told = argument.text.lower().split()
             below = [tree.word(index) for index in tree.subtree(argument.head_position) if is_direction(tree, index)]
-            lost.update(word.index for word in below if word.form.lower() not in told)
+            lost.update(word.index for word in below if word.said not in told)
     return frozenset(lost)
 
 
@@ -264,7 +258,7 @@ def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]
     """Whether a word and a used word next to it name one direction: "straight ahead"."""
     beside = {index - 1: (_STRAIGHT, _ONWARD), index + 1: (_ONWARD, _STRAIGHT)}
     return any(
-        other in used and tree.word(other).form.lower() in its and tree.word(index).form.lower() in own
+        other in used and tree.word(other).said in its and tree.word(index).said in own
         for other, (its, own) in beside.items()
     )
 
@@ -283,24 +277,24 @@ def objects_elsewhere(tree: DependencyTree, verb: Sequence[int]) -> List[int]:
         one.head
         for one in particles
         if one.deprel == "case"
-        and tree.word(one.head).deprel == "obl"
-        and all(child.index in verb for child in tree.children(one.head) if child.deprel == "case")
+        and tree.governor(one).deprel == "obl"
+        and all(child.index in verb for child in tree.prepositions(one.head))
     ]
     behind = max(verb) + 1
     children = tree.children(verb[0])
     if not any(child.deprel in ("obj", "iobj") for child in children):
-        found += [one.index for one in children if one.deprel == "vocative" and min(tree.subtree(one.index)) == behind]
+        found += [one.index for one in children if one.deprel == "vocative" and tree.phrase_start(one.index) == behind]
         found += [index for index in [shared_object(tree, verb[0])] if index]
     return found
 
 
 def is_all_at_first_of_two_places(tree: DependencyTree, noun: int) -> bool:
     """Whether the first of two places says which things are meant: "put *everything on the table* in the box"."""
-    if tree.word(noun).form.lower() not in _INDEFINITES:
+    if tree.word(noun).said not in _INDEFINITES:
         return False
     places = [child.index for child in tree.children(noun) if child.deprel == "nmod"]
     return any(
-        inner.deprel == "nmod" and any(word.deprel == "case" for word in tree.children(inner.index))
+        inner.deprel == "nmod" and bool(tree.prepositions(inner.index))
         for place in places
         for inner in tree.children(place)
     )
@@ -324,4 +318,4 @@ def listed_particle(tree: DependencyTree, unit: LexicalUnit, name: str, verb: Se
         verb: positions of the words of the verb
     """
     words = {word for one in unit.relations if one.name == name for word in one.words}
-    return next((index for index in verb[1:] if tree.word(index).form.lower() in words), 0)
+    return next((index for index in verb[1:] if tree.word(index).said in words), 0)

@@ -70,10 +70,10 @@ def _is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
 
 def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
     """Return how often some words say; 0 if they say something else."""
-    forms = [sentence.word(index).form.lower() for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
+    forms = [sentence.word(index).said for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
     forms = [form for form in forms if form not in _EXACT]
     said = times_said(forms)
-    if said is None or said[1] != len(forms) or sentence.word(root).form.lower() != forms[-1]:
+    if said is None or said[1] != len(forms) or sentence.word(root).said != forms[-1]:
         return 0
     return said[0]
 
@@ -121,7 +121,7 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
     "Keep going to the office" means to go on to the office, and "keep moving two metres" ends after two metres.
     """
     before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
-    if before is None or before.form.lower() not in _KEEPING or before.deprel != ASIDE:
+    if before is None or before.said not in _KEEPING or before.deprel != ASIDE:
         return reading
     if has_end(reading, frame) or reading.control.is_said or reading.missing:
         return reading

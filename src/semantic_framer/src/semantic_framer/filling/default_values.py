@@ -4,11 +4,11 @@ from dataclasses import replace
 from typing import Collection, FrozenSet, Mapping
 
 from phrase_meanings.arguments import default_argument
-from semantic_framer.filling.attachment import is_direction
 from semantic_framer.units.frame_roles import DIRECTION
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.things import is_direction
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_types import Fit
 from typed_arguments import Source, TypedArgument
@@ -70,7 +70,7 @@ def _has_amount_of_another(sentence: Sentence, clause: Clause, quantity: Quantit
 def _is_all_the_way(sentence: Sentence, clause: Clause) -> bool:
     """Whether a turn to neither side is to be made once: "spin around once" goes all the way round, and not by the
     default; who turns twice turns by the default each time."""
-    forms = [sentence.word(index).form.lower() for index in sorted(clause.positions)]
+    forms = [sentence.word(index).said for index in sorted(clause.positions)]
     counts = [times[0] for place in range(len(forms)) for times in [times_said(forms[place:])] if times is not None]
     return counts == [1] and _LEFT_AND_RIGHT.isdisjoint(forms)
 
@@ -111,5 +111,5 @@ def is_no_place(sentence: Sentence, head: int, frame: SemanticFrame) -> bool:
 def _is_bare_in(sentence: Sentence, head: int) -> bool:
     """Whether a noun has "in" before it, and nothing else: "in reverse"."""
     children = [child for child in sentence.children(head) if child.deprel != "punct"]
-    is_alone = all(child.deprel == "case" and child.form.lower() == _IN for child in children)
+    is_alone = all(child.deprel == "case" and child.said == _IN for child in children)
     return sentence.word(head).upos == "NOUN" and bool(children) and is_alone

@@ -8,6 +8,7 @@ from semantic_framer.values.reading import Reading, rank
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause, clause_of
 from utterance_passes.phrases.verb_matching import match_verbs
+from utterance_passes.trees.tree import VERBS
 from word_classes import word_class
 
 _RELATIVE_ADVERBS = word_class("relative_adverbs")
@@ -28,11 +29,9 @@ def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Cla
             continue
         copula = next((child for child in sentence.children(word.index) if child.deprel == "cop"), None)
         verb = copula or word
-        if verb.upos in ("VERB", "AUX") and verb.index not in asked:
+        if verb.upos in VERBS and verb.index not in asked:
             positions = frozenset(
-                index
-                for index in sentence.subtree(word.index)
-                if sentence.word(index).form.lower() not in _RELATIVE_ADVERBS
+                index for index in sentence.subtree(word.index) if sentence.word(index).said not in _RELATIVE_ADVERBS
             )
             found.append(clause_of(sentence.tree, verb.index, positions, False))
     return tuple(clause for clause in found if clause.subject)

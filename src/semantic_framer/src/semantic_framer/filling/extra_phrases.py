@@ -70,7 +70,7 @@ def left_over_groups(sentence: Sentence, clause: Clause, left_over: Tuple[int, .
 def _element_of(sentence: Sentence, clause: Clause, root: int, words: FrozenSet[int]) -> Optional[ExtraThematicElement]:
     word = sentence.word(root)
     inside = sorted(sentence.subtree(root) & clause.positions)
-    forms = [sentence.word(index).form.lower() for index in inside if sentence.word(index).upos != "PUNCT"]
+    forms = [sentence.word(index).said for index in inside if sentence.word(index).upos != "PUNCT"]
     is_of_action = word.deprel.split(":")[0] in _OF_ACTIONS and not word.deprel.startswith("nsubj")
     if not is_of_action or frozenset(forms) & (_CONDITIONS | _NEGATIONS):
         return None
@@ -80,10 +80,8 @@ def _element_of(sentence: Sentence, clause: Clause, root: int, words: FrozenSet[
     if any(amount.is_doubtful for amount in amounts):
         return None
     kinds = frozenset(amount.quantity for amount in amounts if amount.unit)
-    prepositions = " ".join(
-        child.form.lower() for child in sentence.children(root) if child.deprel == "case" and child.index < root
-    )
-    marks = frozenset(child.form.lower() for child in sentence.children(root) if child.deprel == "mark")
+    prepositions = " ".join(child.said for child in sentence.tree.prepositions(root) if child.index < root)
+    marks = frozenset(child.said for child in sentence.children(root) if child.deprel == "mark")
     for element in extra_thematic_elements():
         if _fits(element, word, " ".join(forms), prepositions, marks, kinds):
             return element
@@ -98,7 +96,7 @@ def _fits(
     marks: FrozenSet[str],
     kinds: FrozenSet[str],
 ) -> bool:
-    if element.heads and word.form.lower() not in element.heads:
+    if element.heads and word.said not in element.heads:
         return False
     if element.measure:
         return kinds == {element.measure} and (not prepositions or prepositions in element.prepositions)

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, Optional, Sequence, Tuple
 
-from semantic_framer.filling.slight_amounts import slight_amount, slight_words
 from semantic_framer.units.frame_roles import OPERATIONAL_STATE
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import slight_amount, slight_words
 from semantic_frames.frame import Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
@@ -111,7 +111,7 @@ def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence
     own = [
         position
         for position in amount.positions
-        if position != amount.unit_position and sentence.word(position).form.lower() not in ("a", "an")
+        if position != amount.unit_position and sentence.word(position).said not in ("a", "an")
     ]
     unit = find_unit(amount.unit)
     if unit is not None and unit.is_assumed:
@@ -152,7 +152,7 @@ def is_in_a_measure(sentence: Sentence, head: int, amounts: Sequence[Amount], *,
 
 def _is_end(sentence: Sentence, amount: Amount, head: int) -> bool:
     """Whether a word ends a range that includes its preposition: "fifteen" in "ten to fifteen"."""
-    cases = [child.index for child in sentence.children(head) if child.deprel == "case"]
+    cases = [child.index for child in sentence.tree.prepositions(head)]
     return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
 

@@ -78,4 +78,4 @@ def _is_heeded(argument: TypedArgument, heeded: FrameHeeding) -> bool:
 
 
 def _tells_something(sentence: Sentence, index: int) -> bool:
-    return sentence.is_content(index) and sentence.word(index).form.lower() not in _HEARERS
+    return sentence.is_content(index) and sentence.word(index).said not in _HEARERS

@@ -4,17 +4,16 @@ from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
 from phrase_meanings.head_words import is_side_of_something
-from semantic_framer.filling.attachment import is_direction
 from semantic_framer.units.frame_roles import MESSAGE, NO_THINGS, PLACES, THEME, THINGS
 from semantic_framer.values.reading import Reading
-from semantic_framer.values.things import is_indefinite, is_no_thing
+from semantic_framer.values.things import is_direction, is_indefinite, is_no_thing
 from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
 from spoken_quantities import find_whole_number
 from typed_arguments import TypedArgument
 from utterance_passes.trees.persons import is_name_of_person
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import NOUNS, VERBS, DependencyTree, Word
 from word_classes import word_class
 
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
@@ -77,7 +76,7 @@ def is_noun_of_a_verb(filled: Filled) -> bool:
 
 def is_measure_elsewhere(filled: Filled) -> bool:
     """Whether another unit uses the number as a measure: "turn one eighty"."""
-    is_phrase = any(child.deprel == "case" for child in filled.tree.children(filled.head.index))
+    is_phrase = bool(filled.tree.prepositions(filled.head.index))
     return (
         not is_phrase
         and filled.head.index not in _measured(filled.reading)
@@ -113,7 +112,7 @@ def joins_unlisted_word(reading: Reading, tree: DependencyTree) -> bool:
     return any(
         child.deprel == "conj"
         and child.index in value.positions
-        and child.form.lower() not in listed[value.name]
+        and child.said not in listed[value.name]
         and not any(below.deprel == "cc" for below in tree.children(child.index))
         for value in reading.arguments
         if value.name in listed and value.head_position in reading.listed
@@ -158,7 +157,7 @@ def is_numbered_place(filled: Filled) -> bool:
     if any(index < first for index in counts):
         return True
     # "Wait *at ten sharp*."
-    is_counted = filled.head.lemma.lower() in _SHARES or filled.head.form.lower() in _EXACTLY
+    is_counted = filled.head.lemma.lower() in _SHARES or filled.head.said in _EXACTLY
     if filled.head.upos != "NUM" and not (is_counted and counts):
         return False
     if "Place" in filled.roles:
@@ -174,11 +173,11 @@ def is_one_of_two_places(filled: Filled) -> bool:
     """
     if filled.value.conjunction != "and" or "Goal" not in filled.roles:
         return False
-    prepositions = [child for child in filled.tree.children(filled.head.index) if child.deprel == "case"]
+    prepositions = filled.tree.prepositions(filled.head.index)
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
     is_put = any(other.name in themes and other.positions for other in filled.reading.arguments)
-    return is_put and bool(prepositions) and prepositions[0].form.lower() in _PLACING
+    return is_put and bool(prepositions) and prepositions[0].said in _PLACING
 
 
 def is_two_phrases(filled: Filled) -> bool:
@@ -188,11 +187,11 @@ def is_two_phrases(filled: Filled) -> bool:
     if MESSAGE in filled.roles:
         return False
     words = [filled.tree.word(index) for index in filled.value.positions]
-    if any(word.upos in ("VERB", "AUX") for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
+    if any(word.upos in VERBS for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
         return False
     return any(
         word.upos in ("NOUN", "PROPN", "NUM", "ADJ")
-        and word.form.lower() not in _BEFORE_DETERMINERS
+        and word.said not in _BEFORE_DETERMINERS
         and following.index == word.index + 1
         and following.head != word.index
         and (following.deprel == "det" or _counts_an_apposition(filled.tree, following))
@@ -202,7 +201,7 @@ def is_two_phrases(filled: Filled) -> bool:
 
 def _counts_an_apposition(tree: DependencyTree, word: Word) -> bool:
     """Whether a number modifies an apposition to the noun before it: "3" in "room 3 knock"."""
-    return word.deprel == "nummod" and tree.word(word.head).deprel == "appos"
+    return word.deprel == "nummod" and tree.governor(word).deprel == "appos"
 
 
 def is_side_of_the_place_before(filled: Filled) -> bool:
@@ -214,13 +213,13 @@ def is_side_of_the_place_before(filled: Filled) -> bool:
     positions = filled.value.positions
     words = [filled.tree.word(index) for index in positions]
     prepositions = [word for word in words if word.deprel == "case" and word.head == filled.head.index]
-    if not prepositions or prepositions[0].form.lower() not in _PLACE_PREPOSITIONS:
+    if not prepositions or prepositions[0].said not in _PLACE_PREPOSITIONS:
         return False
-    nouns = [word for word in words if word.upos in ("NOUN", "PROPN") and word.form.lower() not in _SIDES]
-    is_of_hearer = all(word.form.lower() in _HEARERS for word in words if word.upos == "PRON" and word.xpos == "PRP")
-    is_side = filled.head.form.lower() in _SIDES or filled.head.form.lower() in _HEARERS
+    nouns = [word for word in words if word.upos in NOUNS and word.said not in _SIDES]
+    is_of_hearer = all(word.said in _HEARERS for word in words if word.upos == "PRON" and word.xpos == "PRP")
+    is_side = filled.head.said in _SIDES or filled.head.said in _HEARERS
     start = positions[0]
-    while start > 1 and filled.tree.word(start - 1).form.lower() in _ADVERBS_BEFORE_PREPOSITIONS:
+    while start > 1 and filled.tree.word(start - 1).said in _ADVERBS_BEFORE_PREPOSITIONS:
         start -= 1
     is_behind_place = any(
         value.relation and value.measure is None and value.positions and value.positions[-1] == start - 1
@@ -234,12 +233,12 @@ def is_subject_of_a_question(filled: Filled) -> bool:
     """Whether the subject of an indirect question is taken for what is looked at: "find out where *my keys* are" does
     not look at the keys. "Whether the oven is hot" does.
     """
-    head, form = filled.head, filled.head.form.lower()
+    head, form = filled.head, filled.head.said
     if "Ground" not in filled.roles or not head.deprel.startswith("nsubj") or form in _QUESTION_WORDS:
         return False
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
-    is_asked = any(word.form.lower() in _QUESTION_WORDS for word in asked if word.index < head.index)
-    return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
+    is_asked = any(word.said in _QUESTION_WORDS for word in asked if word.index < head.index)
+    return is_asked or filled.tree.governor(head).said in _QUESTION_WORDS
 
 
 def is_way(filled: Filled) -> bool:
@@ -247,10 +246,10 @@ def is_way(filled: Filled) -> bool:
     square", which is a place.
     """
     head, tree = filled.head, filled.tree
-    prepositions = [child for child in tree.children(head.index) if child.deprel == "case"]
+    prepositions = tree.prepositions(head.index)
     is_certain = any(child.deprel in ("det", "nmod:poss") for child in tree.children(head.index))
     is_open = is_indefinite(tree, head.index) or not is_certain
-    is_shape = bool(prepositions) and is_of_every_action(prepositions[0].form.lower(), head.form)
+    is_shape = bool(prepositions) and is_of_every_action(prepositions[0].said, head.form)
     return bool(filled.roles & PLACES) and is_open and is_shape and len(prepositions) == 1
 
 
@@ -270,13 +269,13 @@ def is_degree(filled: Filled) -> bool:
     children = filled.tree.children(filled.head.index)
     is_of_something = any(child.deprel in ("nmod", "nmod:poss", "compound") for child in children)
     # "Ask him not to touch it" has a verb.
-    is_measure = filled.head.upos != "VERB" and filled.head.form.lower() in _DEGREES | _VAGUE_PERIODS
+    is_measure = filled.head.upos != "VERB" and filled.head.said in _DEGREES | _VAGUE_PERIODS
     return bool(filled.roles) and is_measure and not is_of_something
 
 
 def is_side(filled: Filled) -> bool:
     """Whether a side or a direction is taken for a thing: "take a right", or "northwards" parsed as a noun."""
-    form = filled.head.form.lower()
+    form = filled.head.said
     # "Drive 19 in backwards" goes to no place.
     if filled.roles & PLACES and form in _FORWARD_AND_BACKWARD and filled.head.upos == "ADV":
         return True
@@ -300,7 +299,7 @@ def is_deed(filled: Filled) -> bool:
     """
     is_subject = filled.head.deprel.startswith("nsubj")
     is_moved = bool(filled.roles & THINGS) and not is_subject
-    is_robot = filled.head.form.lower() in _ITSELF
+    is_robot = filled.head.said in _ITSELF
     return is_moved and (is_robot or is_no_thing(filled.tree, filled.head.index, filled.reading.verb))
 
 

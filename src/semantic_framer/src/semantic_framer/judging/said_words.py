@@ -8,19 +8,18 @@ pass can lose a word behind its back.
 
 import re
 import unicodedata
-from dataclasses import dataclass
-from difflib import SequenceMatcher
 from html import unescape
 from typing import AbstractSet, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
+from semantic_framer.judging.rewritten_words import RUN, lost_in_rewriting, said_words, unread_length
 from semantic_framer.judging.unread_words import shipped_unread_words
 from semantic_framer.values.reading import Reading
-from semantic_types.parts_of_speech import NOUN, VERB, base_forms, parts_of_speech
+from semantic_types.parts_of_speech import VERB, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.asides.objections import plain
 from utterance_passes.deeds.avoided_places import PREPOSITION
-from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, is_filler, pattern_of, shipped_formulas
-from utterance_passes.trees.tree import ABANDONED, ASIDE, DependencyTree, Word
+from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, pattern_of
+from utterance_passes.trees.tree import ABANDONED, ASIDE, NOMINALS, DependencyTree, Word
 from word_classes import word_class
 
 #: Name of the check in the trace.
@@ -47,12 +46,6 @@ _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
 _HEDGES = word_class("hedges")
-_HESITATION = pattern_of("phrases_of_hesitation")
-_BROKEN_OFF = re.compile(r"-,?\s")
-_GROUP = re.compile(r"\\\d")
-#: Of two spellings of one word: "rihgt" and "right".
-_LEAST_LIKENESS = 0.5
-_SENTENCE = re.compile(r"(?<=[.!?] )[^.!?]+[.!?]*|^[^.!?]+[.!?]*")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -65,8 +58,6 @@ _WISHES = (
     | word_class("causative_verbs")
     | word_class("verbs_of_duty")
 )
-#: A letter, a digit, or a sign of either.
-_RUN = re.compile(r"[^\W_]+")
 
 
 def positions_named(readings: Iterable[Reading]) -> FrozenSet[int]:
@@ -109,20 +100,6 @@ def words_left(
     return _Check(tree, readings, others, is_asked).left()
 
 
-@dataclass(frozen=True)
-class _Said:
-    """A word of the text: letters and digits without a mark between them."""
-
-    form: str
-    start: int
-    end: int
-
-    def is_at(self, word: Word) -> bool:
-        """Whether a word of the tree stands in this place of the text."""
-        is_inside = word.start_character <= self.start and self.end <= word.end_character
-        return is_inside or word.start_character == self.start
-
-
 class _Check:
     def __init__(
         self, tree: DependencyTree, readings: Sequence[Reading], others: AbstractSet[int], is_asked: bool
@@ -133,22 +110,22 @@ class _Check:
         self._lemmas = frozenset(lemma for one in arguments for lemma in _lemmas(one))
         self._is_asked = is_asked
         self._named = positions_named(readings) | others
-        self._words = [word for word in tree.words if _RUN.search(word.form)]
-        self._forms = [word.form.lower().replace("\u2019", "'") for word in self._words]
-        self._said = _said(tree.text)
-        self._forms_said = frozenset(one.form for one in self._said)
+        self._words = [word for word in tree.words if RUN.search(word.form)]
+        self._forms = [word.said.replace("\u2019", "'") for word in self._words]
+        self._forms_said = frozenset(one.form for one in said_words(tree.text))
         self._understood = self._named | self._opening() | self._excluded()
         self._covered = self._phrases() | self._understood
 
     def left(self) -> Tuple[str, ...]:
         """Return the words that nothing accounts for."""
-        places = {one.start: self._tree.text[one.start : one.end] for one in self._lost_in_rewriting()}
+        places = {
+            one.start: self._tree.text[one.start : one.end]
+            for one in lost_in_rewriting(self._tree, self._understood, self._named, self._lemmas)
+        }
         places.update((word.start_character, word.form) for word in (*self._torn(), *self._denied()))
         for run in self._runs():
             places.update((word.start_character, word.form) for word in self._unread_of(run))
         return (*(places[place] for place in sorted(places)), *_signs(self._tree.text))
-
-    # --- words of the tree
 
     def _torn(self) -> List[Word]:
         """Return the words of phrases of which a part fills another element: "the door *left* of you", "*an angle of*
@@ -158,9 +135,9 @@ class _Check:
             inside = range(min(argument.positions, default=0), max(argument.positions, default=0))
             taken = {index for one in self._arguments if one is not argument for index in one.positions}
             words = [self._tree.word(index) for index in inside if index in taken - {*argument.positions}]
-            found += [word for word in words if word.form.lower() in _DIRECTIONS]
+            found += [word for word in words if word.said in _DIRECTIONS]
             last = self._tree.word(max(argument.positions)) if argument.positions else None
-            if last is not None and last.form.lower() == "of" and last.head in taken:
+            if last is not None and last.said == "of" and last.head in taken:
                 found += [self._tree.word(index) for index in argument.positions]
         return found
 
@@ -171,16 +148,16 @@ class _Check:
         found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
-        return found + [word for word in words if word.form.lower() == _EACH]
+        return found + [word for word in words if word.said == _EACH]
 
     def _denies(self, word: Word) -> bool:
         """Whether a word denies the noun on which it hangs, and no clause; an order of deeds is read elsewhere."""
-        form, noun = word.form.lower(), self._tree.word(word.head)
+        form, noun = word.said, self._tree.governor(word)
         if form == "no":
             return word.deprel == "discourse"
-        behind = self._tree.words[word.index].form.lower() if word.index < len(self._tree.words) else ""
+        behind = self._tree.words[word.index].said if word.index < len(self._tree.words) else ""
         is_clause = any(child.deprel == "cop" for child in self._tree.children(noun.index))
-        is_denied = form == "not" and word.deprel == "advmod" and noun.upos in ("NOUN", "PROPN", "PRON")
+        is_denied = form == "not" and word.deprel == "advmod" and noun.upos in NOMINALS
         return is_denied and not is_clause and behind not in ("before", "after")
 
     def _phrases(self) -> FrozenSet[int]:
@@ -206,16 +183,16 @@ class _Check:
         one". It is not done."""
         found: Set[int] = set()
         for place, word in enumerate(self._words):
-            if word.index in found or word.index in self._named or word.form.lower() not in _EXCLUDING:
+            if word.index in found or word.index in self._named or word.said not in _EXCLUDING:
                 continue
             is_of_two = self._forms[place : place + 2] == ["instead", "of"]
             fronts = () if is_of_two else range(max(0, place - _LONGEST), place + 1)
             if any(front + _formula_length(self._forms[front:]) > place for front in fronts):
                 continue  # "If you do *not* mind" forbids nothing.
             behind = self._tree.words[word.index - 1 :]
-            ends = (one.index for one in behind if one.upos == "PUNCT" or one.form.lower() == "but")
+            ends = (one.index for one in behind if one.upos == "PUNCT" or one.said == "but")
             end = next(ends, len(self._tree.words) + 1)
-            first = word.index - (word.index > 1 and self._tree.word(word.index - 1).form.lower() in _DOING)
+            first = word.index - (word.index > 1 and self._tree.word(word.index - 1).said in _DOING)
             found.update(range(first, end))
         return frozenset(found)
 
@@ -233,13 +210,13 @@ class _Check:
 
     def _unread_of(self, run: List[Word]) -> List[Word]:
         """Return the words of a run that are no formula, no mood and no word that may go unread."""
-        forms = [word.form.lower().replace("\u2019", "'") for word in run]
+        forms = [word.said.replace("\u2019", "'") for word in run]
         left: List[Word] = []
         place = 0
         while place < len(run):
             if self._is_reason(run[place:], forms[place:]):
                 return left  # It is no deed.
-            length = _formula_length(forms[place:]) or _unread_length(forms[place:])
+            length = _formula_length(forms[place:]) or unread_length(forms[place:])
             if not length and not self._is_accounted_for(run[place]):
                 left.append(run[place])
             place += length or 1
@@ -267,7 +244,7 @@ class _Check:
 
     def _is_of_mood(self, word: Word) -> bool:
         """Whether a word only says of what kind a clause is: "*could you* go", "*I want you to* go", "*start* it"."""
-        form, relation = word.form.lower(), word.deprel.split(":")[0]
+        form, relation = word.said, word.deprel.split(":")[0]
         if (relation in ("aux", "cop") and form in _AUXILIARIES) or (relation == "nsubj" and form in _SUBJECTS):
             return True
         if form in _HEDGES:
@@ -275,14 +252,14 @@ class _Check:
         before = self._tree.word(word.index - 1).lemma.lower() if word.index > 1 else ""
         if form == "by" and before in _ASPECTUAL:
             return True
-        behind = next((one for one in self._tree.words[word.index :] if one.form.lower() not in ("to", "by")), None)
+        behind = next((one for one in self._tree.words[word.index :] if one.said not in ("to", "by")), None)
         if word.lemma.lower() in _ASPECTUAL and behind is not None and behind.index in self._named:
             return True
         return word.lemma.lower() in _WISHES
 
     def _is_of_argument(self, word: Word) -> bool:
         """Whether a word belongs to words that are understood: "make *a* turn", "*for* an hour", "say *that* ..."."""
-        form, is_of_named = word.form.lower(), word.head in self._named
+        form, is_of_named = word.said, word.head in self._named
         if form in _ARTICLES and word.deprel == "det" and is_of_named:
             return True
         if form in _OF_AMOUNTS and self._is_before_amount(word):
@@ -301,7 +278,7 @@ class _Check:
 
     def _is_address(self, word: Word) -> bool:
         """Whether a word calls the hearer."""
-        if word.form.lower() in _ADDRESSED:
+        if word.said in _ADDRESSED:
             return True
         words = self._tree.words
         beside = [*words[max(0, word.index - 2) : word.index - 1], *words[word.index : word.index + 1]]
@@ -312,9 +289,9 @@ class _Check:
 
     def _is_of_exclusion(self, word: Word) -> bool:
         """Whether a word belongs to what is avoided: "without going *through* the hall", "*while* avoiding it"."""
-        form = word.form.lower()
+        form = word.said
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
-        is_excluded = any(one.form.lower() in _EXCLUDING for one in self._tree.words[: word.index])
+        is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
         return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
 
     def _is_of_named_things(self, word: Word) -> bool:
@@ -323,115 +300,6 @@ class _Check:
         thing = self._tree.word(word.index + 1) if is_number else word
         is_left = thing.upos == "NOUN" and thing.deprel == ASIDE and thing.index not in self._named
         return is_left and thing.lemma.lower() in self._lemmas
-
-    # --- words of the text that the tree does not have
-
-    def _lost_in_rewriting(self) -> List[_Said]:
-        """Return the words of the text that passes took out, or wrote in a way that means nothing."""
-        said = self._said
-        written = [(part, word.index) for word in self._tree.words for part in _RUN.findall(_plain(word.form))]
-        matcher = SequenceMatcher(None, [one.form for one in said], [form for form, _ in written], autojunk=False)
-        gone: List[_Said] = []
-        new: List[Tuple[str, int]] = []
-        for tag, first, last, begin, end in matcher.get_opcodes():
-            if tag == "equal":
-                continue
-            block, words = said[first:last], written[begin:end]
-            if "".join(one.form for one in block) == "".join(form for form, _ in words):
-                continue
-            is_meant = any(index in self._understood for _, index in words)
-            if block and is_meant and tag == "replace":
-                places = {self._tree.word(index) for _, index in words}
-                beyond = _beyond(block, [form for form, _ in words])
-                gone += [one for one in beyond if not any(one.is_at(word) for word in places)]
-                continue
-            new += words
-            if block and not _is_taken_back(self._tree.text, said, first, last):
-                gone += block
-        moved = [form for form, _ in new]
-        left = []
-        for one in gone:
-            if one.form in moved:
-                moved.remove(one.form)
-            else:
-                left.append(one)
-        spans = self._spans_written_out() if left else ()
-        left = [one for one in left if not any(start <= one.start < end for start, end in spans)]
-        things = {place for place, one in enumerate(said) if self._lemmas & set(base_forms(one.form, NOUN))}
-        told = {said[place].start for thing in things for place in (thing - 1, thing) if place >= 0}
-        # "*Two bottles*, one of water and one of milk" are one bottle of water and one bottle of milk.
-        return _not_unread([one for one in left if one.start not in told], said)
-
-    def _spans_written_out(self) -> List[Tuple[int, int]]:
-        """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
-        *know*" is "tell Bob"."""
-        named = {_plain(self._tree.word(index).form) for index in self._named if 0 < index <= len(self._tree.words)}
-        texts = [(0, self._tree.text.lower())]
-        texts += [(part.start(), part.group().lower().rstrip()) for part in _SENTENCE.finditer(self._tree.text)]
-        return [
-            (start + match.start(), start + match.end())
-            for formula in shipped_formulas()[WRITTEN_OUT]
-            if formula.says or named & set(_RUN.findall(_GROUP.sub(" ", formula.written)))
-            for start, text in texts
-            for match in formula.pattern.finditer(text)
-        ]
-
-
-def _plain(text: str) -> str:
-    return unicodedata.normalize("NFKC", text).lower()
-
-
-def _said(text: str) -> List[_Said]:
-    return [_Said(_plain(match.group()), *match.span()) for match in _RUN.finditer(text)]
-
-
-def _beyond(said: Sequence[_Said], written: Sequence[str]) -> List[_Said]:
-    """Return the words for which none is written: a written word stands for the one that it is most like, if any."""
-    left = list(said)
-    for form in written:
-        alike = [(SequenceMatcher(None, one.form, form, autojunk=False).ratio(), one) for one in left]
-        likeness, nearest = max(alike, key=lambda pair: pair[0], default=(0.0, None))
-        if nearest is not None and likeness >= _LEAST_LIKENESS:
-            left.remove(nearest)
-    return left
-
-
-def _is_taken_back(text: str, said: Sequence[_Said], first: int, last: int) -> bool:
-    """Whether words that were taken out were broken off, said for thinking, or are said again."""
-    block = [one.form for one in said[first:last]]
-    if block == [one.form for one in said[last : last + len(block)]]:
-        return True
-    if block == [one.form for one in said[max(0, first - len(block)) : first]]:
-        return True
-    # "Turn left turn forty degrees left": all words are said again, in their order.
-    left = iter([one.form for one in said[last:]])
-    if last < len(said) and len(block) > 1 and block[0] == said[last].form and all(form in left for form in block):
-        return True
-    is_broken_off = any(_BROKEN_OFF.match(text, one.end) for one in said[first:last])
-    return is_broken_off or any(is_filler(form) for form in block)
-
-
-def _not_unread(words: List[_Said], said: Sequence[_Said]) -> List[_Said]:
-    """Return the words that may not go unread where they stand in the text."""
-    forms = [one.form for one in said]
-    unread: Set[int] = set()
-    for place in range(len(said)):
-        length = max(_unread_length(forms[place:]), _hesitation_length(forms[place:]))
-        unread.update(one.start for one in said[place : place + length])
-    return [one for one in words if one.start not in unread]
-
-
-def _unread_length(forms: Sequence[str]) -> int:
-    if not forms:
-        return 0
-    length = shipped_unread_words().at(forms)[1]
-    return length or int(is_filler(forms[0]))
-
-
-def _hesitation_length(forms: Sequence[str]) -> int:
-    """Return the number of words at the front that are only said for thinking: "you know", "like"."""
-    lengths = (length for length in (2, 1) if _HESITATION.fullmatch(" ".join(forms[:length])))
-    return next(lengths, int(forms[:1] == ["like"]))
 
 
 def _signs(text: str) -> Tuple[str, ...]:

@@ -61,7 +61,7 @@ def _time(case: Case) -> Optional[Refusal]:
         case.known.verbs_beginning_with(spelling)
         for word in tree.words
         if word.index not in inside
-        for spelling in (word.lemma.lower(), word.form.lower())
+        for spelling in (word.lemma.lower(), word.said)
     )
     if times and is_command and not any(clause.is_negated for clause in case.clauses):
         return not_then(case.sentence, times[0])
@@ -110,7 +110,7 @@ def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, .
         if word.index not in inside
         and sentence.is_content(word.index)
         and word.lemma.lower() not in _AROUND_REQUESTS
-        and not (word.deprel.startswith("nsubj") and word.form.lower() in _PARTICIPANTS)
+        and not (word.deprel.startswith("nsubj") and word.said in _PARTICIPANTS)
     )
 
 

@@ -78,7 +78,7 @@ class Case:
         first = self.sentence.word(min(clause.positions))
         # "When I come home turn on the light", "in case it rains close the window": it is a condition.
         is_phrase = first.deprel == "mark" and any(child.deprel == "fixed" for child in tree.children(first.index))
-        if is_phrase or first.form.lower() in _CONDITIONS:
+        if is_phrase or first.said in _CONDITIONS:
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
@@ -87,7 +87,7 @@ class Case:
             return True
         before = self.sentence.word(first.index - 1) if first.index > 1 else first
         is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
-        return is_joined or first.form.lower() in _RENEWING or self.kind_of(clause).is_remark
+        return is_joined or first.said in _RENEWING or self.kind_of(clause).is_remark
 
 
 def case_of(sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, policy: Policy) -> Case:

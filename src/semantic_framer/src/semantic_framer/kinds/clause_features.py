@@ -90,7 +90,7 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
     children = children_of_clause(tree, top)
     helping = [child for child in children if child.deprel.split(":")[0] in ("aux", "cop")]
     # "Is it open or not" denies nothing.
-    denying = [child for child in children if child.form.lower() in _NEGATIONS and child.deprel != "conj"]
+    denying = [child for child in children if child.said in _NEGATIONS and child.deprel != "conj"]
     subject = next((child for child in children if child.deprel.startswith("nsubj")), None)
     is_passive = any(child.deprel == "aux:pass" for child in helping) or (
         subject is not None and subject.deprel == "nsubj:pass"
@@ -103,7 +103,7 @@ def features_of(tree: DependencyTree, top: int) -> ClauseFeatures:
     is_asked = asked is not None and (
         is_inverted or (subject is not None and asked.index in tree.subtree(subject.index))
     )
-    modal = next((child.form.lower() for child in helping if child.xpos == "MD"), "")
+    modal = next((child.said for child in helping if child.xpos == "MD"), "")
     return ClauseFeatures(
         top=top,
         form=Form.OPEN if is_asked else Form.POLAR if is_inverted else Form.PLAIN,
@@ -135,12 +135,12 @@ def _question_word(tree: DependencyTree, top: int) -> Optional[Word]:
     for index in sorted(tree.subtree(top)):
         word = tree.word(index)
         # "Show me *where* the bathroom is" says a place.
-        if word.form.lower() not in _ASKING or word.deprel == "case":
+        if word.said not in _ASKING or word.deprel == "case":
             continue
         above: List[Word] = []
         while word.index != top:
             above.append(word)
-            word = tree.word(word.head)
+            word = tree.governor(word)
         if not any(one.deprel.split(":")[0] in _INNER for one in above):
             return tree.word(index)
     return None
@@ -150,20 +150,20 @@ def _agent(tree: DependencyTree, top: int, subject: Optional[Word], is_passive: 
     if not is_passive:
         return subject.index if subject is not None else 0
     for child in tree.children(top):
-        cases = {case.form.lower() for case in tree.children(child.index) if case.deprel == "case"}
+        cases = {case.said for case in tree.prepositions(child.index)}
         if child.deprel == "obl:agent" or (child.deprel == "obl" and cases == {"by"}):
             return child.index
     return 0
 
 
 def _aspect(verb: Word, helping: List[Word], children: Tuple[Word, ...]) -> Aspect:
-    forms = [child.form.lower() for child in helping]
+    forms = [child.said for child in helping]
     lemmas = [child.lemma.lower() for child in helping]
     if any(child.xpos == "VBG" for child in helping):
         return Aspect.RUNNING  # "The door is being closed."
     is_past = any(child.xpos == "VBD" for child in helping[:1]) or (not helping and verb.xpos in ("VBD", "VBN"))
     if "have" in lemmas or _HAVE.intersection(forms):
-        is_ever = any(child.form.lower() == "ever" for child in children)
+        is_ever = any(child.said == "ever" for child in children)
         return Aspect.EVER_DONE if is_ever else Aspect.DONE
     if is_past or "did" in forms:
         return Aspect.DONE

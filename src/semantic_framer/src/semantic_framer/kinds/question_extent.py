@@ -26,14 +26,14 @@ def words_of_question(sentence: Sentence) -> List[Word]:
     hidden = tree.abandoned | tree.fillers
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     while words:
-        forms = [word.form.lower() for word in words]
+        forms = [word.said for word in words]
         in_front = _length_in_front(forms)
         behind = 0 if in_front else _length_behind(forms)
         if not in_front and not behind:
             break
         words = words[in_front : len(words) - behind]
-    if words and words[0].form.lower() in _ASKING:
-        del words[1 : 1 + length_in_front(_EXPLETIVES, [word.form.lower() for word in words[1:]])]
+    if words and words[0].said in _ASKING:
+        del words[1 : 1 + length_in_front(_EXPLETIVES, [word.said for word in words[1:]])]
     return words
 
 
@@ -70,7 +70,7 @@ def _is_end(sentence: Sentence, index: int) -> bool:
     """Whether a word is the mark at the end of a sentence, and not that of "room no. 5"; or joins another question."""
     form, words = sentence.word(index).form, sentence.tree.words
     if form.lower() in _CONJUNCTIONS:
-        behind = [word.form.lower() for word in words[index : index + 2]]
+        behind = [word.said for word in words[index : index + 2]]
         # "How many cups are there *and how* many plates", "... *or should I* buy some".
         return bool(behind) and (behind[0] in _ASKING or (behind[0] in _MODALS and set(behind[1:]) <= _SUBJECTS))
     return form in _MARKS or (form == "." and (index == len(words) or words[index].form[:1].isupper()))

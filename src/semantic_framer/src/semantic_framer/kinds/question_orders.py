@@ -27,7 +27,7 @@ def direct_orders(words: Sequence[Word]) -> Iterator[Tuple[Word, ...]]:
     """Yield the words of an indirect question in the orders that a direct one may have: "where the mug is" as it is,
     and "where is the mug".
     """
-    for order in orders_of([word.form.lower() for word in words]):
+    for order in orders_of([word.said for word in words]):
         yield tuple(words[place] for place in order)
 
 

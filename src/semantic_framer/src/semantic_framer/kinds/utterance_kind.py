@@ -12,7 +12,7 @@ from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 from semantic_framer.kinds.mood_file import MoodRule, UtteranceKind, shipped_moods
 from utterance_passes.phrases.clauses import Clause
 from utterance_passes.trees.formula_file import is_filler
-from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, NOUNS, VERBS, DependencyTree, Word
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -117,9 +117,9 @@ def kinds_of_clauses(
         # "It's late, please open the door": "it" does not refer to a thing. "My hands are full, ..." is a reason.
         for verb, verdict in decided.items():
             subjects = [child for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")]
-            owners = {child.form.lower() for subject in subjects for child in tree.children(subject.index)}
+            owners = {child.said for subject in subjects for child in tree.children(subject.index)}
             is_mine = tree.word(tops[verb]).upos == "ADJ" and bool(owners & _SPEAKER_POSSESSORS)
-            if verdict.is_fact and (is_mine or any(subject.form.lower() == "it" for subject in subjects)):
+            if verdict.is_fact and (is_mine or any(subject.said == "it" for subject in subjects)):
                 decided[verb] = replace(verdict, is_fact=False)
     return tuple(decided[clause.verb] for clause in clauses)
 
@@ -128,7 +128,7 @@ def kind_without_clause(tree: DependencyTree) -> KindVerdict:
     """Decide the kind of an utterance without a verb."""
     hidden = tree.abandoned | tree.quoted | tree.fillers
     said = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
-    forms = [word.form.lower() for word in said]
+    forms = [word.said for word in said]
     text = " ".join(forms)
     # "Right" alone may answer "left or right?".
     is_chatter = bool(frozenset(forms) - _LEFT_AND_RIGHT) and frozenset(forms) <= _CHATTER | _GREETINGS | _THANKS
@@ -167,7 +167,7 @@ class _Front:
             for word in tree.words[clause.verb :]
             if word.index in inside and word.index not in hidden
         )
-        self._has_aside = any(word.deprel == ASIDE and word.form.lower() not in _PADDING for word in in_front)
+        self._has_aside = any(word.deprel == ASIDE and word.said not in _PADDING for word in in_front)
         self._said = self._formula_words()
         self._form = self._said[-1]
 
@@ -191,8 +191,8 @@ class _Front:
         children = self._tree.children(self._top)
         if any(word.deprel.startswith(("nsubj", "aux")) for word in children):
             return True
-        in_front = {child.form.lower() for child in children if child.index < self._clause.verb}
-        if in_front & _RENEWING or (self._before and self._before[0].form.lower() in _RENEWING):
+        in_front = {child.said for child in children if child.index < self._clause.verb}
+        if in_front & _RENEWING or (self._before and self._before[0].said in _RENEWING):
             return True
         is_telling = before.kind in (UtteranceKind.REPORT, UtteranceKind.TALK)
         return self._form == "BASE" and is_telling and before.words.split(" ")[-1] in _FINISHED
@@ -202,7 +202,7 @@ class _Front:
         top = self._tree.word(self._top)
         before = self._tree.word(self._verb.index - 1) if self._verb.index > 1 else self._verb
         is_object = before.head == top.head and before.deprel in ("obj", "iobj") and before.upos in ("PRON", "PROPN")
-        return bool(top.head) and self._tree.word(top.head).lemma.lower() in _WATCHING and is_object
+        return bool(top.head) and self._tree.governor(top).lemma.lower() in _WATCHING and is_object
 
     def verdict(self) -> KindVerdict:
         """Decide the kind by the words before the verb."""
@@ -264,18 +264,18 @@ class _Front:
         predicate = self._tree.word(self._top) if self._verb.deprel == "cop" else self._verb
         children = self._tree.children(predicate.index)
         relations = {child.deprel.split(":")[0] for child in children}
-        is_place = predicate.form.lower() in _PLACE_ADVERBS or "case" in relations
+        is_place = predicate.said in _PLACE_ADVERBS or "case" in relations
         # Who somebody is says something; how they are is talk.
         is_person = subject in _PERSONS and not (subject in _SPEAKERS and predicate.upos == "PROPN")
-        is_opinion = subject in _OPINION_SUBJECTS and predicate.form.lower() in _EVALUATIONS
+        is_opinion = subject in _OPINION_SUBJECTS and predicate.said in _EVALUATIONS
         if is_opinion or (is_person and (not is_place or predicate.lemma.lower() in _MOODS)):
             return KindVerdict(UtteranceKind.TALK, "state", text)
-        is_noun = predicate.upos in ("NOUN", "PROPN") and "csubj" not in relations
+        is_noun = predicate.upos in NOUNS and "csubj" not in relations
         has_clause = bool(relations & {"xcomp", "ccomp", "csubj", "advcl"})
         is_for_something = is_place and any(child.deprel == "acl" for child in children)
         is_verb = predicate.upos == "VERB" and self._verb.deprel == "cop"
         is_event = frozenset(said[:-1]) & (_AUXILIARIES | _BE | _NONFINITE_BE | {"not"}) or self._is_done(predicate)
-        is_event = bool(is_event) or any(child.form.lower() == "being" for child in children)
+        is_event = bool(is_event) or any(child.said == "being" for child in children)
         # "The mug was on the table" does not say where it is.
         is_past = self._verb.xpos == "VBD"
         is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event or is_past)
@@ -283,7 +283,7 @@ class _Front:
 
     def _is_done(self, predicate: Word) -> bool:
         """Whether a predicate says what was done to a thing: "closed", "put on the table"."""
-        form = predicate.form.lower()
+        form = predicate.said
         stems = (form[:-1], form[:-2], form[:-3], form[:-3] + "y") if form.endswith("ed") else ()
         is_participle = predicate.xpos in ("VBN", "VBG")
         return is_participle or any(self._vocabulary.verbs_beginning_with(stem) for stem in stems if stem)
@@ -304,13 +304,13 @@ class _Front:
         if form == "GERUND":
             return self._gerund(text)
         subject = self._clause.subject
-        is_spoken_to = not subject or self._tree.word(subject).form.lower() in _HEARERS or subject > self._clause.verb
+        is_spoken_to = not subject or self._tree.word(subject).said in _HEARERS or subject > self._clause.verb
         if form == "BASE" and is_spoken_to:
             is_infinitive = text.endswith(" to BASE") and _rule(shipped_moods().acting, text) is None
             if is_infinitive or (said[0] == "to" and self._verb.head > self._verb.index):
                 return KindVerdict(UtteranceKind.TALK, "infinitive", text)
             return KindVerdict(UtteranceKind.COMMAND, "imperative", text)
-        if form == "WISH" and (not subject or self._tree.word(subject).upos not in ("NOUN", "PROPN")):
+        if form == "WISH" and (not subject or self._tree.word(subject).upos not in NOUNS):
             return KindVerdict(UtteranceKind.REQUEST, "wish_for_thing", text)
         if form == "WISH":
             # "The guests need plates": it is not the speaker who wants them.
@@ -319,7 +319,7 @@ class _Front:
         return self._by_rules(said[start:])
 
     def _is_finite_auxiliary(self) -> bool:
-        return self._verb.form.lower() in _AUXILIARIES and self._form in ("PAST", "THIRD")
+        return self._verb.said in _AUXILIARIES and self._form in ("PAST", "THIRD")
 
     def _gerund(self, text: str) -> KindVerdict:
         if self._verb.head > self._verb.index:
@@ -339,9 +339,9 @@ class _Front:
             if word.index in skipped or word.upos == "PUNCT" or is_filler(word.form):
                 continue
             text = _formula_word(word)
-            if said and said[-1] in _AUXILIARIES and word.upos in ("NOUN", "PROPN"):
+            if said and said[-1] in _AUXILIARIES and word.upos in NOUNS:
                 # A hearer adds nothing; anybody else is a subject: "can Bob open the door".
-                text = "" if word.form.lower() in _HEARERS else "NP"
+                text = "" if word.said in _HEARERS else "NP"
             if said[-1:] == ["PREP"] and form == "BASE" and text in _OPINION_SUBJECTS:
                 continue  # "After that turn left": with "that" as its subject, the verb would be "turns".
             if text and (text != "NP" or said[-1:] != ["NP"]):
@@ -355,12 +355,12 @@ class _Front:
             relation = word.deprel.split(":")[0]
             inside = self._tree.subtree(word.index)
             if relation in ("advcl", "acl") and self._verb.index not in inside:
-                marks = {child.form.lower() for child in self._tree.children(word.index)}
+                marks = {child.said for child in self._tree.children(word.index)}
                 found |= inside if relation == "acl" or marks & _CONDITIONS else frozenset()
         return found
 
     def _verb_form(self) -> str:
-        word, form, lemma = self._verb, self._verb.form.lower(), self._verb.lemma.lower()
+        word, form, lemma = self._verb, self._verb.said, self._verb.lemma.lower()
         if lemma == "be":
             is_helped = any(other.upos == "AUX" for other in self._before)
             return "BASE" if form == "be" and not is_helped else "BE"
@@ -396,7 +396,7 @@ def _rule(rules: Sequence[MoodRule], text: str) -> Optional[MoodRule]:
 
 def _formula_word(word: Word) -> str:
     """Return the formula word for a word; empty if formulas ignore it."""
-    form = word.form.lower()
+    form = word.said
     said = shipped_moods().spellings.get(form, form)
     if word.deprel == "vocative" and said not in _SUBJECTS:
         return ""
@@ -407,12 +407,12 @@ def _formula_word(word: Word) -> str:
     if form in _SAID_AROUND or word.upos in ("INTJ", "CCONJ", "SYM"):
         return ""
     if said == "'s":
-        return "is" if word.upos in ("AUX", "VERB") else "" if word.upos == "PART" else "us"
+        return "is" if word.upos in VERBS else "" if word.upos == "PART" else "us"
     if said in _QUESTION_WORDS | _OBJECTS | _SHOWN or said in _MOOD_ADVERBS - {"about"}:
         return said
     if said in _SUBJECTS:
         return "NP" if word.deprel in ("det", "obj") else said
-    is_verb = word.upos in ("AUX", "VERB") or word.xpos == "MD"
+    is_verb = word.upos in VERBS or word.xpos == "MD"
     if is_verb and said in _AUXILIARIES | _BE | _NONFINITE_BE:
         return said
     if word.upos == "ADV":
@@ -431,7 +431,7 @@ def _top(tree: DependencyTree, index: int) -> int:
     """Return the top word above a word: the root, or the head of the joined part that contains the word."""
     word = tree.word(index)
     while word.head and word.deprel.split(":")[0] not in ("conj", "parataxis", "list"):
-        word = tree.word(word.head)
+        word = tree.governor(word)
     return word.index
 
 

@@ -9,7 +9,7 @@ from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 from semantic_framer.linking.link_file import LinkKind, shipped_links
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.iterations import times_said
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import NOUNS, Word
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
@@ -108,7 +108,7 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
         verbs: of the sentence, in their base form; one may be said again
     """
     start = place
-    while start < len(words) and words[start].form.lower() in _JOINING:
+    while start < len(words) and words[start].said in _JOINING:
         start += 1
     if start == place or not place:
         return None
@@ -116,12 +116,12 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
         start += 1
     item = _phrase(words, start, before=_FIRST | _LAST)
     end = start + item
-    if not item or end >= len(words) or words[end].form.lower() not in _FIRST | _LAST:
+    if not item or end >= len(words) or words[end].said not in _FIRST | _LAST:
         return None
     if end + 1 < len(words) and words[end + 1].upos != "PUNCT":
         return None
     name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
-    is_first = words[end].form.lower() in _FIRST
+    is_first = words[end].said in _FIRST
     return ItemOrder(end + 1 - place, name if is_first else none, none if is_first else name) if name else None
 
 
@@ -133,8 +133,8 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
         place: where the words may begin
     """
     start, is_denied = place, False
-    while start < len(words) and words[start].form.lower() in _JOINING | _NEGATIONS | _ONLY:
-        is_denied = is_denied or words[start].form.lower() in _NEGATIONS
+    while start < len(words) and words[start].said in _JOINING | _NEGATIONS | _ONLY:
+        is_denied = is_denied or words[start].said in _NEGATIONS
         start += 1
     one = _phrase(words, start)
     border = start + one
@@ -142,12 +142,12 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     border = behind
     if not one or border >= len(words):
         return None
-    link, length = shipped_links().deed_link_at([word.form.lower() for word in words[border:]])
+    link, length = shipped_links().deed_link_at([word.said for word in words[border:]])
     other = _phrase(words, border + length) if link is not None and length else 0
     if link is None or link.kind is LinkKind.MEANWHILE or not other:
         return None
     end = border + length + other
-    if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].form.lower() not in _JOINING:
+    if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].said not in _JOINING:
         return None
     first, second = _content(words[start : start + one]), _content(words[end - other : end])
     if not first or not second or first == second:
@@ -166,12 +166,12 @@ def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:
     """Return the place behind the words between an item and "before", and whether they have an "only" and a "not": "the
     hall *only* after the office", "the hall, *but not* before the office"."""
     end, is_only, is_not = place, False, False
-    while end < len(words) and words[end].form.lower() in _JOINING:
+    while end < len(words) and words[end].said in _JOINING:
         end += 1
     begin = end
-    while end < len(words) and words[end].form.lower() in _ONLY | _NEGATIONS:
-        is_only = is_only or words[end].form.lower() in _ONLY
-        is_not = is_not or words[end].form.lower() in _NEGATIONS
+    while end < len(words) and words[end].said in _ONLY | _NEGATIONS:
+        is_only = is_only or words[end].said in _ONLY
+        is_not = is_not or words[end].said in _NEGATIONS
         end += 1
     return (end, is_only, is_not) if end > begin else (place, False, False)
 
@@ -188,14 +188,14 @@ def _phrase(words: Sequence[Word], start: int, *, before: FrozenSet[str] = froze
         return 0
     end = start + 1
     while end < len(words) and end - start < _LONGEST_PHRASE and words[end].upos in _CONTENT:
-        if words[end].form.lower() in before:
+        if words[end].said in before:
             break
         end += 1
-    return end - start if words[end - 1].upos in ("NOUN", "PROPN") else 0
+    return end - start if words[end - 1].upos in NOUNS else 0
 
 
 def _content(words: Sequence[Word]) -> FrozenSet[str]:
-    found: List[str] = [word.form.lower() for word in words if word.upos in _CONTENT]
+    found: List[str] = [word.said for word in words if word.upos in _CONTENT]
     return frozenset(found)
 
 

@@ -7,7 +7,7 @@ from semantic_framer.linking.deed_orders import ItemOrder
 from semantic_framer.linking.link_file import LinkKind
 from semantic_framer.values.condition_part import ConditionPart
 from typed_arguments import TimeExpression
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import NOUNS, DependencyTree
 
 SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 
@@ -95,7 +95,7 @@ def may_be_of_last_choice(tree: DependencyTree, joints: Sequence[Joint]) -> bool
     """
     conditional = [joint for joint in joints if joint.kind in (LinkKind.IF, LinkKind.UNLESS)]
     return any(
-        word.form.lower() == "or" and (tree.word(word.index - 1).form == "," or _is_about(tree, joint, word.index))
+        word.said == "or" and (tree.word(word.index - 1).form == "," or _is_about(tree, joint, word.index))
         for joint in conditional
         for word in tree.words[1 : max(1, joint.first - 2)]
     )
@@ -103,5 +103,5 @@ def may_be_of_last_choice(tree: DependencyTree, joints: Sequence[Joint]) -> bool
 
 def _is_about(tree: DependencyTree, joint: Joint, end: int) -> bool:
     """Whether a condition names a thing that was named before a position."""
-    before = {word.lemma.lower() for word in tree.words[: end - 1] if word.upos in ("NOUN", "PROPN")}
+    before = {word.lemma.lower() for word in tree.words[: end - 1] if word.upos in NOUNS}
     return any(tree.word(index).lemma.lower() in before for index in joint.positions)

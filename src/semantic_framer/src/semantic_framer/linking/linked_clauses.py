@@ -78,7 +78,7 @@ class LinkedClauses:
     def _content(self, positions: FrozenSet[int]) -> List[int]:
         found = sorted(positions - self._sentence.abandoned)
         words = [self._sentence.word(index) for index in found]
-        while len(words) > 1 and (words[0].deprel in ("punct", "cc") or words[0].form.lower() in JOINING):
+        while len(words) > 1 and (words[0].deprel in ("punct", "cc") or words[0].said in JOINING):
             words.pop(0)
         while len(words) > 1 and words[-1].deprel in ("punct", "cc"):
             words.pop()
@@ -114,7 +114,7 @@ class LinkedClauses:
         readings = self.readings[part.clause] = complete or made
         is_open = going_on(readings[0], frames[readings[0].unit.frame_name]) is not None
         first = min(self.positions[part.clause])
-        is_kept_up = first > 1 and self._sentence.word(first - 1).form.lower() in _CONTINUING
+        is_kept_up = first > 1 and self._sentence.word(first - 1).said in _CONTINUING
         if is_open or (is_kept_up and not has_end(readings[0], frames[readings[0].unit.frame_name])):
             return PlanPart("REPEAT", part.label, (part,))
         return part

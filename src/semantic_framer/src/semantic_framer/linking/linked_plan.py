@@ -11,12 +11,12 @@ from semantic_framer.linking.deed_orders import ItemOrder, sorted_by
 from semantic_framer.linking.joints import SENTENCE_ENDS, Joint
 from semantic_framer.linking.link_file import LinkKind
 from semantic_framer.linking.linked_clauses import JOINING, LinkedClauses, Node, NoStructure, Open, which_of_it
+from semantic_framer.linking.plan_nodes import COUNTS, ORDERS, PlanNodes
 from semantic_framer.linking.standing_plan import NotAlone, with_orders_at_the_root
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.clause_plan import Clauses, PlanPart, part_of
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
-from typed_arguments import TimeExpression
 from utterance_passes.phrases.clauses import Clause
 
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
@@ -33,10 +33,6 @@ _BEGINNING = (
 )
 #: Words that are no unit of their own.
 _WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER)
-#: How the items of a list, or several deeds, are done.
-_ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED)
-#: How often a deed is done.
-_COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
 
 
 @dataclass(frozen=True)
@@ -109,6 +105,7 @@ class _Builder:
             raise Open('How often? Say it with "until", for instance: "until the table is empty".')
         self._orders: List[ItemOrder] = [joint.order for joint in joints if joint.order is not None]
         self._table = LinkedClauses(sentence, known, deeds)
+        self._nodes = PlanNodes(self._table)
         self._units = self._in_order(joints)
         self._place = 0
 
@@ -124,7 +121,7 @@ class _Builder:
         found: List[_Unit] = []
         for unit in units:
             between = range(found[-1].first if found else 1, unit.first)
-            before = {self._sentence.word(index).form.lower() for index in between if index not in taken}
+            before = {self._sentence.word(index).said for index in between if index not in taken}
             if then.intersection(between):
                 before.add("then")
             found.append(replace(unit, before=frozenset(before)))
@@ -133,14 +130,14 @@ class _Builder:
     def build(self) -> Tuple[Clauses, PlanPart]:
         nodes: List[Node] = []
         while self._place < len(self._units):
-            if nodes and self._now is not None and self._now.kind in _ORDERS:
-                nodes = [self._ordered(self._take(), nodes)]
+            if nodes and self._now is not None and self._now.kind in ORDERS:
+                nodes = [self._nodes.ordered(self._take().kind, nodes)]
             else:
                 nodes.append(self._statement())
         if self._orders:
             raise NoStructure("an order of what is in no list")
         try:
-            plan = with_orders_at_the_root(self._sequence(nodes).part)
+            plan = with_orders_at_the_root(self._nodes.sequence(nodes).part)
         except NotAlone as words:
             raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
         order = sorted(range(len(self._table.readings)), key=lambda place: self._table.firsts[place])
@@ -178,7 +175,7 @@ class _Builder:
         otherwise = self._otherwise(links[-1])
         node = self._joined(links[-1], body, otherwise)
         for link in reversed(links[:-1]):
-            node = self._joined(link, [node], [])
+            node = self._joined(link, [node])
         return node
 
     def _before(self, link: _Unit) -> Node:
@@ -191,22 +188,8 @@ class _Builder:
         if not body and len(last) == 2:
             body = [last.pop()]
         if not body:
-            raise Open(f"What should I do before I do this: {self._table.label(self._sequence(last).positions)}?")
-        return self._sequence(body + last)
-
-    def _ordered(self, link: _Unit, nodes: List[Node]) -> Node:
-        """Return deeds, or the items of a list of one deed, in any order or in reverse order."""
-        if len(nodes) == 1 and nodes[0].part.kind == "DO":
-            nodes = self._table.items(nodes[0])
-        elif len(nodes) == 1 and nodes[0].part.kind == "SEQUENCE":
-            nodes = [Node(part, nodes[0].positions) for part in nodes[0].part.children]
-        if len(nodes) == 1 and link.kind is LinkKind.ANY_ORDER and self._table.is_of_all(nodes[0].part.clause):
-            return nodes[0]  # The server that visits all rooms chooses the order itself.
-        if len(nodes) < 2:
-            raise NoStructure("an order of one deed")
-        if link.kind is LinkKind.REVERSED:
-            return self._sequence(nodes[::-1])
-        return self._several("ANY_ORDER", nodes)
+            raise Open(f"What should I do before I do this: {self._table.label(self._nodes.sequence(last).positions)}?")
+        return self._nodes.sequence(body + last)
 
     def _otherwise(self, link: _Unit) -> List[Node]:
         """Read what is to be done if the condition of a link does not hold."""
@@ -237,19 +220,19 @@ class _Builder:
         while self._now is not None and self._now.is_link and self._is_behind():
             link = self._take()
             self._must_belong_to(unit, link)
-            if link.kind in _ORDERS:
-                node = self._ordered(link, [node])
+            if link.kind in ORDERS:
+                node = self._nodes.ordered(link.kind, [node])
             elif link.kind is LinkKind.AFTER:
-                node = self._sequence([self._next_deed(), node])
+                node = self._nodes.sequence([self._next_deed(), node])
             elif self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
                 node = self._joined(link, [node], self._otherwise(link))
             else:
-                node = self._joined(link, [node], [])
+                node = self._joined(link, [node])
         if self._is_now(LinkKind.MEANWHILE):
             node = self._meanwhile(node)
         if self._is_now(LinkKind.OR_ELSE) and not is_conditional:
             joiner = self._take()
-            node = self._several("FALLBACK", [node, _led_by(joiner, self._next_deed())])
+            node = self._nodes.several("FALLBACK", [node, _led_by(joiner, self._next_deed())])
         elif self._is_now(LinkKind.OTHERWISE) and not is_conditional:
             raise NoStructure("otherwise, without an if")
         return node
@@ -259,12 +242,12 @@ class _Builder:
         if not self._orders or node.part.kind != "DO":
             return node
         items = self._table.items(node)
-        names = [frozenset(self._sentence.word(index).form.lower() for index in item.positions) for item in items]
+        names = [frozenset(self._sentence.word(index).said for index in item.positions) for item in items]
         order = sorted_by(names, self._orders)
         if order is None or len(items) < 2:
             return node
         self._orders = []
-        return self._sequence([items[place] for place in order])
+        return self._nodes.sequence([items[place] for place in order])
 
     def _next_deed(self) -> Node:
         if self._now is None or self._now.joint is not None:
@@ -278,7 +261,7 @@ class _Builder:
             raise NoStructure("meanwhile at the end")
         if joint.begins_sentence:
             raise NoStructure("meanwhile begins a sentence")
-        return self._several("PARALLEL", [node, _led_by(joint, self._next_deed())])
+        return self._nodes.several("PARALLEL", [node, _led_by(joint, self._next_deed())])
 
     def _is_behind(self) -> bool:
         """Whether the next unit, a link, belongs to the deed before it."""
@@ -287,12 +270,12 @@ class _Builder:
         is_last = following is None or following.begins_sentence or following.kind in _JOINERS
         if link.begins_sentence:
             return False
-        if link.kind in _ORDERS:
+        if link.kind in ORDERS:
             before = self._units[self._place - 1]
             return before.joint is None and (
                 self._table.has_items(before.clause) or self._table.is_of_all(before.clause)
             )
-        if link.kind in _COUNTS or link.kind is LinkKind.AFTER:
+        if link.kind in COUNTS or link.kind is LinkKind.AFTER:
             return True
         if link.before & JOINING:
             if is_last:
@@ -303,6 +286,11 @@ class _Builder:
         if link.kind in (LinkKind.UNTIL, LinkKind.WHILE, LinkKind.PERIOD):
             return True
         raise Open(self._which(link))
+
+    def _joined(self, unit: _Unit, body: List[Node], otherwise: Sequence[Node] = ()) -> Node:
+        if unit.joint is None:
+            raise NoStructure("no link")
+        return self._nodes.joined(unit.joint, body, otherwise)
 
     def _which(self, link: _Unit) -> str:
         said = link.joint.positions if link.joint else frozenset()
@@ -317,90 +305,6 @@ class _Builder:
         is_joined = before is not None and before.joint is None and not deed.begins_sentence
         if is_joined and link.kind in _BEGINNING and "then" not in deed.before:
             raise Open(self._which(link))
-
-    # --- nodes
-
-    def _joined(self, unit: _Unit, body: List[Node], otherwise: List[Node]) -> Node:
-        """Return the node of a link with what it joins."""
-        joint = unit.joint
-        if joint is None:
-            raise NoStructure("no link")
-        positions = joint.positions.union(*(node.positions for node in body + otherwise))
-        label = self._table.label(positions)
-        child = self._sequence(body)
-        if joint.kind is LinkKind.DELAY:
-            when = TimeExpression("time", self._table.label(joint.positions), "in", offset_s=joint.seconds)
-            return Node(PlanPart("AT", label, (child.part,), when=when), positions)
-        if joint.kind is LinkKind.CLOCK:
-            return Node(PlanPart("AT", label, (child.part,), when=joint.when), positions)
-        if joint.kind is LinkKind.PERIOD:
-            if child.part.kind in ("UNTIL", "WHILE") and not child.part.duration_s:
-                # "Every ten seconds say hello until ...": the end is that of the repetition.
-                until, deed = child.part, child.part.children[-1]
-                again = PlanPart("REPEAT", deed.label, (deed,), period_s=joint.seconds)
-                if deed.kind == "DO":
-                    return Node(replace(until, label=label, children=(until.children[0], again)), positions)
-            if child.part.kind in ("REPEAT", "WAIT", "UNTIL", "WHILE"):
-                raise NoStructure("two ways to repeat")
-            when = TimeExpression("set", self._table.label(joint.positions), "every", period_s=joint.seconds)
-            return Node(PlanPart("AT", label, (child.part,), when=when), positions)
-        if joint.kind in _ORDERS:
-            return self._ordered(unit, body)
-        if joint.kind in _COUNTS:
-            return Node(_repeated(child.part, label, joint), positions)
-        said = joint.condition
-        if said is None:
-            raise NoStructure("a link without a condition")
-        is_only = "only" in joint.words.lower().split()  # "Only if the bell rings" waits for nothing.
-        if joint.kind is LinkKind.IF and not (otherwise or is_only):
-            # "Stop if you see Anna": there is nothing to stop for now.
-            is_stop = all(node.part.kind == "DO" and self._table.stops(node.part.clause) for node in body)
-            joint = replace(joint, kind=LinkKind.WHEN) if is_stop or self._table.happens(said) else joint
-        if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
-            raise NoStructure("a longest time for what does not wait")
-        is_opposite = joint.kind is LinkKind.UNLESS
-        condition = self._table.condition(said, is_opposite, joint.kind)
-        if joint.kind in (LinkKind.IF, LinkKind.UNLESS):
-            parts = (condition, child.part) + ((self._sequence(otherwise).part,) if otherwise else ())
-            return Node(PlanPart("IF", label, parts), positions)
-        if joint.kind is LinkKind.WHENEVER:
-            return Node(PlanPart("WHENEVER", label, (condition, child.part)), positions)
-        if joint.kind in (LinkKind.WHEN, LinkKind.ANEW):
-            wait = PlanPart("WAIT", self._table.label(joint.positions), (condition,), limit_s=joint.limit_s)
-            return self._sequence([Node(wait, joint.positions), *body])
-        return self._ended(joint, body, condition, Node(child.part, positions))
-
-    def _ended(self, joint: Joint, body: List[Node], condition: PlanPart, whole: Node) -> Node:
-        """Return what a condition ends: "follow me until ...", "wait until ..."."""
-        label = self._table.label(whole.positions)
-        is_until = joint.kind is LinkKind.UNTIL
-        if len(body) == 1 and body[0].part.kind == "DO" and self._table.only_waits(body[0].part.clause):
-            held = condition if is_until else replace(condition, is_negated=not condition.is_negated)
-            return Node(PlanPart("WAIT", label, (held,), limit_s=joint.limit_s), whole.positions)
-        last = body[-1].part
-        if last.is_endless and last.children[0].kind == "DO":
-            deed = self._table.going_on(last.children[0])
-            last = deed if deed.kind == "REPEAT" else replace(last, children=(deed,))
-        elif last.kind == "DO":
-            last = self._table.going_on(last)
-        parts = [node.part for node in body[:-1]] + [last]
-        child = parts[0] if len(parts) == 1 else replace(whole.part, children=tuple(parts))
-        if is_until:
-            return Node(PlanPart("UNTIL", label, (condition, child), limit_s=joint.limit_s), whole.positions)
-        return Node(PlanPart("WHILE", label, (condition, child)), whole.positions)
-
-    def _sequence(self, nodes: Sequence[Node]) -> Node:
-        if len(nodes) == 1:
-            return nodes[0]
-        return self._several("SEQUENCE", nodes)
-
-    def _several(self, kind: str, nodes: Sequence[Node]) -> Node:
-        positions = frozenset().union(*(node.positions for node in nodes))
-        parts: List[PlanPart] = []
-        for node in nodes:
-            is_same = node.part.kind == kind and not node.part.limit_s
-            parts += node.part.children if is_same else (node.part,)
-        return Node(PlanPart(kind, self._table.label(positions), tuple(parts)), positions)
 
 
 def _with_delays_outside(links: List[_Unit]) -> List[_Unit]:
@@ -419,14 +323,6 @@ def _led_by(joiner: _Unit, node: Node) -> Node:
     """Return a node that is told with the words before it: "*otherwise* go to the kitchen"."""
     words = joiner.joint.positions if joiner.joint is not None else frozenset()
     return Node(node.part, node.positions | words)
-
-
-def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
-    """Return a deed that is done so many times at least or at most, or again and again."""
-    if part.kind in ("REPEAT", "UNTIL", "WHILE"):
-        raise NoStructure("two ways to repeat")
-    least = joint.number if joint.kind is LinkKind.AT_LEAST else 0
-    return PlanPart("REPEAT", label, (part,), count=least, most=joint.number if joint.kind is LinkKind.AT_MOST else 0)
 
 
 def _with_places(part: PlanPart, order: Sequence[int]) -> PlanPart:

@@ -46,7 +46,7 @@ def told_when(sentence: Sentence, known: FramedLexicon, readings: Sequence[Readi
     if len(messages) != 1:
         return Joints()
     positions = messages[0]
-    link, length = shipped_links().link_at([sentence.word(index).form.lower() for index in positions])
+    link, length = shipped_links().link_at([sentence.word(index).said for index in positions])
     if link is None or link.kind not in (LinkKind.IF, *_OF_NEWS) or _has(sentence.text(positions), _OF_TWO):
         return Joints()
     condition = read_condition(sentence, known, positions[length:])
@@ -115,7 +115,7 @@ def _denied(said: str) -> str:
 
 def _in_full(word: Word) -> str:
     """Return a word in lower case, and a contracted verb in full: "are" for "'re", "have" for "'ve"."""
-    form = word.form.lower()
+    form = word.said
     if form[0] not in "'\u2019":
         return form
     return "are" if word.lemma.lower() == "be" else word.lemma.lower()

@@ -21,7 +21,7 @@ from semantic_framer.values.dialogue import Context
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from typed_arguments import Source, TypedArgument
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import NOMINALS, Word
 from utterance_passes.trees.vocabulary import Speech
 from word_classes import word_class
 
@@ -31,7 +31,6 @@ ASKS, ASPECT, ABLE = "asks", "aspect", "able"
 _SPEAKER_OBJECTS, _WHETHER = word_class("speaker_objects"), word_class("whether_words")
 _QUESTION_WORDS = word_class("question_words")
 _PLEASE = "please"
-_NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 _INFINITIVES = frozenset(["xcomp", "ccomp", "csubj"])
 #: "Could you close it" is a request, whatever it is embedded in.
 _CAN = "can"
@@ -81,14 +80,14 @@ def ability_question(case: Case, context: Context) -> Tuple[Reading, ...]:
     # "Can you show guests where the bathroom is."
     said = [element for element in said if element.name not in places] or said
     is_general = bool(said) and all(map(_is_kind, said))
-    is_courteous = any(word.form.lower() == _PLEASE for word in case.sentence.tree.words)
+    is_courteous = any(word.said == _PLEASE for word in case.sentence.tree.words)
     return found if is_general and not is_courteous else ()
 
 
 def _is_object(argument: TypedArgument, sentence: Sentence) -> bool:
     """Whether an argument names what is handled: no place, no amount, no adverb."""
     is_bare = bool(argument.positions) and not argument.relation and argument.measure is None and argument.time is None
-    return is_bare and bool(argument.head_position) and sentence.word(argument.head_position).upos in _NOUNS
+    return is_bare and bool(argument.head_position) and sentence.word(argument.head_position).upos in NOMINALS
 
 
 def _is_kind(argument: TypedArgument) -> bool:
@@ -118,7 +117,7 @@ def told_features(case: Case) -> Optional[ClauseFeatures]:
         return None
     (top,) = sentence.children(0)
     for word in sentence.children(top.index):
-        begin = sentence.word(min(sentence.subtree(word.index))).form.lower()
+        begin = sentence.word(sentence.tree.phrase_start(word.index)).said
         if word.index > top.index and word.deprel in ("ccomp", "advcl") and begin in _WHETHER | _QUESTION_WORDS:
             return features_of(sentence.tree, word.index).as_question()
     return None
@@ -134,7 +133,7 @@ def is_told_to_speaker(sentence: Sentence, known: FramedLexicon) -> bool:
     if len(tops) != 1 or known.speech_of(tops[0].lemma.lower()) is not Speech.TOLD:
         return False
     children = sentence.children(tops[0].index)
-    told = [child for child in children if child.deprel in ("iobj", "obj") and child.form.lower() in _SPEAKER_OBJECTS]
+    told = [child for child in children if child.deprel in ("iobj", "obj") and child.said in _SPEAKER_OBJECTS]
     return bool(told) and not any(child.deprel in ("conj", "parataxis") for child in children)
 
 
@@ -202,7 +201,7 @@ def _of_what_is_meant(sentence: Sentence, top: int, features: ClauseFeatures) ->
         return inner.index, replace(features, aspect=Aspect.PLANNED)
     if lemma == "need" and features.asked:
         return inner.index, features
-    is_known = lemma == "know" and any(child.form.lower() == HOW for child in sentence.children(inner.index))
+    is_known = lemma == "know" and any(child.said == HOW for child in sentence.children(inner.index))
     if lemma == ABLE or is_known:
         return inner.index, replace(features, modal=_CAN)
     return top, features

@@ -19,7 +19,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from typed_arguments import Source, TypedArgument
 from utterance_passes.engine.trace import Trace
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import NOUNS, VERBS, Word
 from word_classes import word_class
 
 _NEGATIONS = word_class("negations")
@@ -169,7 +169,7 @@ def _read(
             return None  # "do you know which is bigger" names nobody
         if any(sentence.word(index).form in _SENTENCE_ENDS for index in range(positions[0], positions[-1])):
             return None  # "never use the arm. Go home" has two sentences
-        if any(sentence.word(index).form.lower() in _NEGATIONS for index in positions):
+        if any(sentence.word(index).said in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
         arguments.append(argument_of(sentence, name, positions))
@@ -196,13 +196,13 @@ def _read(
 def _ends_in_state(sentence: Sentence, positions: Sequence[int]) -> bool:
     """Whether the last of some words says how something is, and is no part of the phrase before it."""
     last = sentence.word(positions[-1])
-    has_noun = any(sentence.word(index).upos in ("NOUN", "PROPN") for index in positions[:-1])
+    has_noun = any(sentence.word(index).upos in NOUNS for index in positions[:-1])
     return last.upos in ("ADJ", "VERB") and has_noun and last.head not in positions
 
 
 def spelling(word: Word) -> str:
     """Return a word as the patterns and openings of questions have it: "would" for "'d"."""
-    form = word.form.lower().replace("\u2019", "'")
+    form = word.said.replace("\u2019", "'")
     if form == _NOT:
         return "not"
-    return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
+    return _VERBS_IN_FULL.get(form, form) if word.upos in VERBS else form

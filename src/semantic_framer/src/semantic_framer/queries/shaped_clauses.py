@@ -110,7 +110,7 @@ def _clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int])
     subject = next((child for child in children if child.deprel.startswith("nsubj")), None)
     asks, asked = _asked(sentence, features)
     particles = [child for child in children if child.deprel == "compound:prt"]
-    spelled = [" ".join([spelling, *(one.form.lower() for one in particles)]) for spelling in _spellings(top)]
+    spelled = [" ".join([spelling, *(one.said for one in particles)]) for spelling in _spellings(top)]
     if any(child.deprel == "cop" for child in children):
         # "*What* is your name", "*which room* is this".
         is_asked = asked == top.index and top.upos != "ADJ"
@@ -121,9 +121,9 @@ def _clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int])
         left.add(inner.index)
         below = [child for child in sentence.children(inner.index) if child.index in words]
         children += below
-        if any(child.form.lower() == "to" and child.deprel == "mark" for child in below):
+        if any(child.said == "to" and child.deprel == "mark" for child in below):
             spelled = [f"{spelling} to" for spelling in spelled]
-            how = [child for child in below if child.form.lower() == _HOW and child.index != features.asked]
+            how = [child for child in below if child.said == _HOW and child.index != features.asked]
             left.update(child.index for child in how)
         meant = _of_what_is_meant(spelled[0], features)
         features = meant or features
@@ -139,7 +139,7 @@ def _clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int])
 
 
 def _spellings(word: Word) -> Tuple[str, ...]:
-    return (word.lemma.lower(), word.form.lower())
+    return (word.lemma.lower(), word.said)
 
 
 def _of_what_is_meant(verb: str, features: ClauseFeatures) -> Optional[ClauseFeatures]:
@@ -154,10 +154,12 @@ def _asked(sentence: Sentence, features: ClauseFeatures) -> Tuple[str, int]:
     if features.form is Form.PLAIN or not features.asked:
         return ("nothing" if features.form is Form.PLAIN else "whether"), 0
     word = sentence.word(features.asked)
-    form = word.form.lower()
+    form = word.said
     head = word
-    while head.deprel in ("det", "amod", "advmod") and head.head and sentence.word(head.head).upos in ("NOUN", "ADJ"):
-        head = sentence.word(head.head)
+    while (
+        head.deprel in ("det", "amod", "advmod") and head.head and sentence.tree.governor(head).upos in ("NOUN", "ADJ")
+    ):
+        head = sentence.tree.governor(head)
     if form == _HOW and any(sentence.word(index).lemma.lower() == _MANY for index in sentence.subtree(head.index)):
         return "how many", head.index
     return ("what" if form in _WHICH else "who" if form in _WHO else form), head.index
@@ -233,7 +235,7 @@ class _Match:
         subject, wanted = self._clause.subject, self._shape.subjects
         if subject is None:  # "What is next?"
             return (ASKED_FOR if self._clause.asked == self._clause.features.top else NOBODY) in wanted
-        form = subject.form.lower()
+        form = subject.said
         if self._clause.asked == subject.index:
             return ASKED_FOR in wanted
         if form in _HEARERS:
@@ -257,7 +259,7 @@ class _Match:
     def _names(self, word: Word, phrase: Sequence[int], wanted: Sequence[str]) -> bool:
         """Whether a phrase says one of some things, with nothing beside it but determiners: "any of *your rules*"."""
         head = word
-        while head.lemma.lower() in _KINDS | {"all"} or head.form.lower() in _WHICH:
+        while head.lemma.lower() in _KINDS | {"all"} or head.said in _WHICH:
             inner = [child for child in self._sentence.children(head.index) if child.deprel == "nmod"]
             if not inner:
                 break
@@ -273,7 +275,7 @@ class _Match:
                 if not set(parts).intersection(spelled) and not self._is_between(index, word, head)
             }
             has_all = all(any(part in spelled for spelled in said.values()) for part in parts)
-            if has_all and all(self._sentence.word(index).form.lower() in self._small for index in rest):
+            if has_all and all(self._sentence.word(index).said in self._small for index in rest):
                 return True
         return False
 
@@ -294,12 +296,12 @@ class _Match:
 
     def _is_padding(self, word: Word, phrase: Sequence[int]) -> bool:
         """Whether a phrase says nothing that matters: "already", "for us", and "what", which is asked for."""
-        forms = [self._sentence.word(index).form.lower() for index in phrase if index not in self._asking()]
+        forms = [self._sentence.word(index).said for index in phrase if index not in self._asking()]
         if self._clause.asked in phrase:
             # "What *else* can you do", "what *kind of things* can you do".
-            cases = {self._sentence.word(index).form.lower() for index in phrase if self._is_case(index)}
+            cases = {self._sentence.word(index).said for index in phrase if self._is_case(index)}
             return all(form in _GENERAL | _KINDS | _DETERMINERS | cases | {"else"} for form in forms)
-        if word.form.lower() in _OBJECTS_OF_TALK:
+        if word.said in _OBJECTS_OF_TALK:
             return len(phrase) <= 2
         return all(form in _PADDING for form in forms)
 
@@ -307,7 +309,7 @@ class _Match:
         """Return the words of phrases that are said in the clause: "next time"."""
         # "Then" behind a question may be padding, or what is asked about.
         order = [word.index for word in self._sentence.tree.words if word.upos != "PUNCT"]
-        forms = [self._sentence.word(index).form.lower() for index in order]
+        forms = [self._sentence.word(index).said for index in order]
         found: List[int] = []
         for phrase in phrases:
             parts = phrase.split()

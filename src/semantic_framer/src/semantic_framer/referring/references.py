@@ -26,9 +26,9 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, WordTypes
 from typed_arguments import TypedArgument
-from utterance_passes.phrases.clauses import Clause, prepositions_of
+from utterance_passes.phrases.clauses import Clause
 from utterance_passes.trees.persons import is_person
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import VERBS, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from word_classes import word_class
 
@@ -309,12 +309,12 @@ def thing_told(sentence: Sentence, told: Iterable[Clause]) -> Optional[Thing]:
 def _with_place_told(sentence: Sentence, thing: Word) -> Sentence:
     """Return the sentence with the place that a statement tells attached to its thing: "I left my keys *in the
     kitchen*, bring them"."""
-    verb = sentence.word(thing.head) if thing.head else thing
+    verb = sentence.tree.governor(thing)
     edit = TreeEdit(sentence.tree)
-    behind = max(sentence.subtree(thing.index)) + 1
+    behind = sentence.tree.phrase_end(thing.index) + 1
     for place in sentence.children(verb.index) if verb.lemma.lower() in _WHEREABOUTS else ():
         positions = sentence.subtree(place.index)
-        says_where = bool(_PLACE_PREPOSITIONS.intersection(prepositions_of(sentence.tree, place.index)))
+        says_where = bool(_PLACE_PREPOSITIONS.intersection(sentence.tree.said_prepositions(place.index)))
         is_time = any(place.index in time for time in sentence.tree.times)
         if place.deprel == "obl" and min(positions) == behind and says_where and not is_time:
             edit.rehang(place.index, thing.index, "nmod")
@@ -333,15 +333,15 @@ def thing_said(said: TypedArgument, sentence: Sentence) -> Optional[Thing]:
     if said.words not in sentence.tree.text:
         return None  # It is of an earlier sentence, about which something was asked.
     words = [sentence.word(position) for position in said.positions if 0 < position <= len(sentence.tree.words)]
-    before = [*takewhile(lambda word: word.upos not in ("VERB", "AUX"), words)]
-    if words and words[0].form.lower() == "what" and len(before) < len(words) and all(map(_is_pronoun, before)):
+    before = [*takewhile(lambda word: word.upos not in VERBS, words)]
+    if words and words[0].said == "what" and len(before) < len(words) and all(map(_is_pronoun, before)):
         return Thing(said.text, "what", is_only_told_of=True)
     nouns = [word for word in before if word.upos == "NOUN" and word.deprel not in _PARTS_OF_NOUNS]
     if len(before) == len(words) or not nouns or is_person(nouns[-1]) or not _ends_phrase(nouns[-1], before):
         return None
     noun = nouns[-1]
     named = [*takewhile(lambda word: word.upos in _BEFORE_NOUNS, reversed(before[: before.index(noun)]))][::-1]
-    asked = [place for place, word in enumerate(named) if word.form.lower() in _ASKING]
+    asked = [place for place, word in enumerate(named) if word.said in _ASKING]
     named = named[max(asked, default=-1) + 1 :]
     text = sentence.text([word.index for word in [*named, noun]])
     if asked and not (named and named[0].upos in ("DET", "PRON")):

@@ -44,6 +44,6 @@ def whose_deed(sentence: Sentence, known: FramedLexicon, readings: Sequence[Read
 def _may_be_theirs(sentence: Sentence, deed: Word, end: int) -> bool:
     """Whether a deed of the robot follows the end of a request in such a way that it may be a part of it."""
     inside = sentence.tree.subtree(deed.index)
-    forms = {sentence.word(index).form.lower() for index in inside}
+    forms = {sentence.word(index).said for index in inside}
     follows = deed.deprel == "conj" and deed.xpos == "VB" and min(inside) == end + 1 and deed.index == end + 2
-    return follows and sentence.word(end + 1).form.lower() == "and" and not forms & _ADDRESSEES
+    return follows and sentence.word(end + 1).said == "and" and not forms & _ADDRESSEES

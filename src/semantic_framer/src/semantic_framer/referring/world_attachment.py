@@ -15,12 +15,11 @@ from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from typed_arguments import TypedArgument
 from utterance_passes.phrases.clauses import find_clauses
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import NOUNS, DependencyTree
 from utterance_passes.trees.tree_edits import TreeEdit
 from word_classes import word_class
 from world_model import Sort, WorldObject
 
-_NOUNS = frozenset(["NOUN", "PROPN"])
 _PLACE_PREPOSITIONS = word_class("place_prepositions") - frozenset(["of"])
 
 
@@ -68,7 +67,7 @@ def attached_by_world(sentence: Sentence, known: FramedLexicon, context: Context
     tree = sentence.tree
     for clause in find_clauses(tree, known):
         for noun in tree.children(clause.verb):
-            if noun.deprel != "obj" or noun.upos not in _NOUNS:
+            if noun.deprel != "obj" or noun.upos not in NOUNS:
                 continue
             phrases = _phrases_behind(tree, noun.index, clause.positions)
             found = _Judging(sentence, noun.index, phrases, situation).attached(clause.verb) if phrases else None
@@ -126,11 +125,11 @@ def _phrases_behind(tree: DependencyTree, noun: int, inside: FrozenSet[int]) -> 
         return ()
     found: List[_Phrase] = []
     for word in tree.words[noun:]:
-        cases = [child for child in tree.children(word.index) if child.deprel == "case"]
-        is_place = word.upos in _NOUNS and cases and cases[0].form.lower() in _PLACE_PREPOSITIONS
+        cases = tree.prepositions(word.index)
+        is_place = word.upos in NOUNS and cases and cases[0].said in _PLACE_PREPOSITIONS
         is_clause = word.deprel == "acl:relcl" and word.head == noun
         if is_place and word.index in inside | tree.subtree(noun):
-            first = min(tree.subtree(word.index)) if is_clause else cases[0].index
+            first = tree.phrase_start(word.index) if is_clause else cases[0].index
             found.append(_Phrase(word.index, first, is_clause))
     heads = frozenset(phrase.head for phrase in found)
     end = max(_without(tree, noun, heads))
@@ -234,5 +233,5 @@ class _Judging:
         return tree.text_of(inside - articles)
 
     def _words(self, first: int) -> str:
-        end = max(self._sentence.subtree(self._phrases[-1].head))
+        end = self._sentence.tree.phrase_end(self._phrases[-1].head)
         return self._sentence.text(list(range(self._phrases[first].first, end + 1)))

@@ -29,7 +29,7 @@ from semantic_framer.values.sentence import Sentence
 from typed_arguments import TimeExpression
 from utterance_passes.phrases.clauses import find_clauses
 from utterance_passes.phrases.clock_times import clock_time_at
-from utterance_passes.trees.tree import ASIDE, QUOTATION_MARKS, QUOTED, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, QUOTATION_MARKS, QUOTED, VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 from word_classes import word_class
 
@@ -244,7 +244,7 @@ def swallowed_joints(sentence: Sentence, known: FramedLexicon, readings: Sequenc
         if joint.condition is not None
         for argument in inside
         if min(argument.positions) < joint.first <= max(argument.positions) <= max(joint.positions)
-        if not any(sentence.word(index).upos in ("VERB", "AUX") for index in argument.positions if index < joint.first)
+        if not any(sentence.word(index).upos in VERBS for index in argument.positions if index < joint.first)
     ]
     return Joints(tuple(found))
 
@@ -256,10 +256,10 @@ def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence
         for argument in reading.arguments:
             element = frame.element(argument.name)
             words = [sentence.word(index) for index in sorted(argument.positions)]
-            forms = [word.form.lower() for word in words]
+            forms = [word.said for word in words]
             if element is not None and element.framenet == MESSAGE:
                 # "Tell everyone *who asks* that I am at lunch" is no message.
-                before = sentence.word(words[0].index - 1).form.lower() if words and words[0].index > 1 else ""
+                before = sentence.word(words[0].index - 1).said if words and words[0].index > 1 else ""
                 joiner, _ = shipped_links().joiner_at(forms)
                 if joiner is not None and joiner.kind in _OTHERWISE:
                     return sentence.text([word.index for word in words])  # "Tell him, *if not, tell Anna*."
@@ -296,7 +296,7 @@ def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
         return True
     said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
     marks = [word for word in sentence.tree.open_words if word.deprel == "mark" and word.index not in said]
-    links = [shipped_links().link_at([word.form.lower()])[0] for word in marks if word.head in said]
+    links = [shipped_links().link_at([word.said])[0] for word in marks if word.head in said]
     # "Check *if* the lights are off" asks; an end is no question.
     return any(link is not None and link.kind is LinkKind.UNTIL for link in links)
 
@@ -304,7 +304,7 @@ def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
 def _answer_words(sentence: Sentence) -> Tuple[int, ...]:
     """Return the positions of words that say in which case something is done: "*in that case* close it"."""
     words, answers = sentence.tree.open_words, shipped_links().answers
-    forms = [word.form.lower() for word in words]
+    forms = [word.said for word in words]
     for place, form in enumerate(forms):
         length = answers.at(forms[place:])[1] if answers.begins_with(form) else 0
         if length:
@@ -326,7 +326,7 @@ def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequenc
                 continue
             words = [sentence.word(index) for index in sorted(argument.positions)]
             place = _condition_behind(words) or _time_behind(sentence, words)
-            if place and words[place].deprel == QUOTED and sentence.word(words[place].head).deprel == "xcomp":
+            if place and words[place].deprel == QUOTED and sentence.tree.governor(words[place]).deprel == "xcomp":
                 continue  # "Tell Bob to wait until I come back": he waits, and it takes no time to tell him.
             if place and not _is_marked(sentence, words[-1].index):
                 said = sentence.text([word.index for word in words[place:]]).strip(" ,.!?")
@@ -339,8 +339,8 @@ def _condition_behind(words: Sequence[Word]) -> int:
     0 for none.
     """
     # The tagger may take a verb for a noun: "until someone answers".
-    verbs = [place for place, word in enumerate(words) if word.upos in ("VERB", "AUX") or word.deprel == "ccomp"]
-    forms = [word.form.lower() for word in words]
+    verbs = [place for place, word in enumerate(words) if word.upos in VERBS or word.deprel == "ccomp"]
+    forms = [word.said for word in words]
     for place, word in enumerate(words):
         is_between = bool(verbs) and 0 < place < verbs[-1]
         is_link = word.upos == "SCONJ" or word.xpos == "WRB"
@@ -353,7 +353,7 @@ def _time_behind(sentence: Sentence, words: Sequence[Word]) -> int:
     """Return the place of a time at the end of a message without a verb: "good night *at ten pm*"; 0 for none."""
     if any(word.upos == "AUX" or word.xpos in _FINITE for word in words):
         return 0
-    forms = [word.form.lower() for word in words]
+    forms = [word.said for word in words]
     for place in range(1, len(words)):
         clock = clock_time_at(forms[place:])
         if clock is not None and clock.when is not None and place + clock.length == len(words):
@@ -371,7 +371,7 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     """Return what joins the deeds of a sentence that says in which order they are done, or how often; nothing for
     another sentence.
     """
-    said = frozenset(word.form.lower() for word in sentence.tree.open_words)
+    said = frozenset(word.said for word in sentence.tree.open_words)
     links = shipped_links()
     has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
     if not links.has_manner(said) and not has_order and not said & _MANY:
@@ -406,7 +406,7 @@ def _as_if_timed(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str,
     time = joints.open_time
     if time is None:
         return joints, ()
-    words = tuple(sentence.word(index).form.lower() for index in sorted(time.positions))
+    words = tuple(sentence.word(index).said for index in sorted(time.positions))
     known = replace(time, when=TimeExpression("time", " ".join(words), relation="at", value="T00:00"))
     return Joints(tuple(sorted((*joints.found, known), key=lambda joint: joint.first))), words
 

@@ -11,6 +11,7 @@ from semantic_framer.clauses.deed_clauses import DeedClause
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.readings import Heard
+from semantic_framer.clauses.state_questions import state_question
 from semantic_framer.filling.descriptions import relative_clauses
 from semantic_framer.judging.said_words import positions_named
 from semantic_framer.judging.sentence_verdicts import words_outside
@@ -28,7 +29,6 @@ from semantic_framer.queries.deed_questions import (
 )
 from semantic_framer.queries.questions import question_readings
 from semantic_framer.queries.shaped_clauses import own_question
-from semantic_framer.queries.state_questions import state_question
 from semantic_framer.referring.persons_spoken_of import persons_told
 from semantic_framer.referring.references import thing_told
 from semantic_framer.sentences.small_talk import answer_small_talk, small_talk_of
@@ -175,7 +175,7 @@ def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
     sentence, known = case.sentence, case.known
     for clause in relative_clauses(sentence, clauses):
         features = features_of(sentence.tree, clause.verb)
-        is_of_robot = features.agent and sentence.word(features.agent).form.lower() in _HEARERS
+        is_of_robot = features.agent and sentence.word(features.agent).said in _HEARERS
         is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
         if not (is_of_robot and is_over and match_verbs(sentence.tree, clause, known)):
             continue
@@ -190,7 +190,7 @@ def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:
     """Whether an utterance is a yes, and no command ("go ahead"); a no may be said against something that runs."""
     words = [word for word in sentence.tree.words if word.upos != "PUNCT"]
-    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].form.lower()))
+    is_command = bool(words) and bool(now.known.verbs_beginning_with(words[0].said))
     return not is_command and agreement(sentence.tree.text) is True
 
 

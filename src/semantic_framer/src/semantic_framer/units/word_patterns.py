@@ -8,7 +8,7 @@ from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.lexical_unit import WordPattern
 from typed_arguments import TypedArgument
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import PHRASE_HEADS, DependencyTree
 from word_classes import word_class
 
 _PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
@@ -23,7 +23,6 @@ _WORDS_OF_SLOTS: Mapping[str, str] = {
     "destination": ".+?",
     "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
 }
-_NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 
 
 @lru_cache(maxsize=2048)
@@ -41,7 +40,7 @@ def argument_of(sentence: Sentence, name: str, positions: Sequence[int]) -> Type
     """Return the argument of the words of an element, whatever the parser attached them to."""
     inside = frozenset(positions)
     tops = heads(sentence.tree, positions)
-    nouns = [index for index in tops if sentence.word(index).upos in _NOUNS]
+    nouns = [index for index in tops if sentence.word(index).upos in PHRASE_HEADS]
     head = nouns[0] if nouns else tops[-1]
     below = sentence.subtree(head)
     return sentence.phrases.argument(name, head, left_out=below - inside, attached=inside - below)
@@ -53,6 +52,6 @@ def listed_words(tree: DependencyTree, head: int, words: Sequence[str]) -> Froze
         return frozenset()
     for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
         positions = range(max(1, head - length + 1), head + 1)
-        if " ".join(tree.word(index).form.lower() for index in positions) in words:
+        if " ".join(tree.word(index).said for index in positions) in words:
             return frozenset(positions)
     return frozenset([head]) if tree.word(head).lemma.lower() in words else frozenset()

@@ -8,7 +8,7 @@ from word_classes import word_class, word_list
 #: A larger number of times is rather a word that was heard wrongly.
 _MOST_TIMES = 100
 _ADVERBS = word_list("iteration_adverbs")
-_NOUNS = word_class("iteration_nouns")
+_ITERATIONS = word_class("iteration_nouns")
 
 
 def times_said(forms: Sequence[str]) -> Optional[Tuple[int, int]]:
@@ -21,7 +21,7 @@ def times_said(forms: Sequence[str]) -> Optional[Tuple[int, int]]:
     """
     if forms and forms[0] in _ADVERBS:
         return _ADVERBS.index(forms[0]) + 1, 1
-    if len(forms) < 2 or forms[1] not in _NOUNS:
+    if len(forms) < 2 or forms[1] not in _ITERATIONS:
         return None
     number = find_whole_number(forms[0])
     return (number, 2) if number is not None and 1 <= number <= _MOST_TIMES else None

@@ -8,7 +8,7 @@ from phrase_meanings.phrases import Phrases
 from semantic_types import WordTypes, shipped_types
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.phrases.amounts import is_number
-from utterance_passes.trees.tree import ABANDONED, ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ABANDONED, ASIDE, VERBS, DependencyTree, Word
 from word_classes import word_class
 
 #: Relations that only a noun governs, by their names in both schemes.
@@ -89,7 +89,7 @@ class Sentence:
         #: By governor and relation, in the order of the sentence: each unit asks again.
         self._dependents = {key: tuple(sorted(dependents)) for key, dependents in found.items()}
         self.relations = frozenset(relation for _, relation in found)
-        self.forms = frozenset(word.form.lower() for word in tree.words)
+        self.forms = frozenset(word.said for word in tree.words)
 
     def attached(
         self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()
@@ -130,7 +130,7 @@ class Sentence:
         searched: units of 2012 name these relations alone.
         """
         found = self._dependents.get((governor, relation), ())
-        if not found and relation in _OF_NOUNS and governor and self.word(governor).upos in ("VERB", "AUX"):
+        if not found and relation in _OF_NOUNS and governor and self.word(governor).upos in VERBS:
             nouns = [child.index for child in self.children(governor) if child.deprel.split(":")[0] in _ARGUMENTS]
             found = tuple(sorted({position for noun in nouns for position in self.dependents(noun, relation)}))
         return found
@@ -141,12 +141,10 @@ class Sentence:
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
         # "Open the door for me": "for me" only repeats that the speaker wants it.
-        is_wisher = word.form.lower() in _SPEAKER_OBJECTS and any(
-            child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
-        )
+        is_wisher = word.said in _SPEAKER_OBJECTS and "for" in self.tree.said_prepositions(index)
         # "Robot" calls the hearer, but "a story about a robot" does not.
-        is_phrase = word.upos == "NOUN" and any(child.deprel == "case" for child in self.children(index))
+        is_phrase = word.upos == "NOUN" and bool(self.tree.prepositions(index))
         # "Clean the table, *not now*."
-        is_denied = any(child.form.lower() in _NOT for child in self.children(index))
-        is_harmless = word.form.lower() in _HARMLESS and not is_phrase and not is_denied
+        is_denied = any(child.said in _NOT for child in self.children(index))
+        is_harmless = word.said in _HARMLESS and not is_phrase and not is_denied
         return not is_harmless and index not in self.tree.fillers and not is_wisher

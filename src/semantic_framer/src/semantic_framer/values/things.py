@@ -1,4 +1,4 @@
-"""Finds nouns that are not things (deeds, events, ways and vehicles), and phrases without a noun."""
+"""Finds nouns that are no things (deeds, events, ways and vehicles), phrases without a noun, names of directions."""
 
 from typing import Sequence
 
@@ -6,6 +6,7 @@ from semantic_types.parts_of_speech import parts_of_speech
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
 
+_ALL_DIRECTIONS = word_class("all_directions")
 _DEEDS = word_class("deed_nouns")
 _DEEDS_BROUGHT_ABOUT = word_class("deed_nouns_brought_about")
 _DEEDS_SET = word_class("deed_nouns_set")
@@ -42,7 +43,7 @@ def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
 
 def is_indefinite(tree: DependencyTree, index: int) -> bool:
     """Whether a noun has an indefinite article."""
-    return any(child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in tree.children(index))
+    return any(child.deprel == "det" and child.said in _INDEFINITE_ARTICLES for child in tree.children(index))
 
 
 def is_definite(tree: DependencyTree, index: int) -> bool:
@@ -57,7 +58,7 @@ def is_unfinished(tree: DependencyTree, index: int) -> bool:
     named = [word for word in words if word.deprel != "case" and word.upos != "PUNCT"]
     is_of_noun = tree.word(index).deprel in _OF_NOUNS
     return not is_of_noun and (
-        all(word.form.lower() in _ONLY_BEFORE_NOUNS for word in named) or _is_slip(named, tree.word(index))
+        all(word.said in _ONLY_BEFORE_NOUNS for word in named) or _is_slip(named, tree.word(index))
     )
 
 
@@ -74,7 +75,7 @@ def _is_slip(words: Sequence[Word], head: Word) -> bool:
     return any(
         second.index == first.index + 1
         and 1 < len(first.form) < len(second.form)
-        and second.form.lower().startswith(first.form.lower())
+        and second.said.startswith(first.said)
         and first.upos in ("NOUN", "PROPN", "ADJ", "X")
         and second.upos == "NOUN"
         for first, second in zip(words, words[1:])
@@ -87,3 +88,8 @@ def _may_be_pronoun(form: str) -> bool:
     single = {form[:at] + form[at + 1 :] for at in pairs if form[at] == form[at + 1]}
     swapped = {form[:at] + form[at + 1] + form[at] + form[at + 2 :] for at in pairs}
     return bool(_OBJECT_PRONOUNS & (single | swapped))
+
+
+def is_direction(tree: DependencyTree, index: int) -> bool:
+    """Whether a word names a direction: "east", "left"."""
+    return tree.word(index).said in _ALL_DIRECTIONS

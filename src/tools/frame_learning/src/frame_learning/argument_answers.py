@@ -11,7 +11,6 @@ from offline_pipeline.pipeline import Understanding
 from semantic_framer.values.reading import Reading
 from semantic_types import Fit, WordTypes
 from typed_arguments import TypedArgument
-from utterance_passes.phrases.clauses import prepositions_of
 from utterance_passes.trees.tree import DependencyTree
 from word_classes import word_class
 
@@ -101,8 +100,8 @@ class _Writer:
         filled = {part.type for part in parts}
         if convention.performer and convention.performer not in filled:
             subjects = [word for word in self._tree.children(verb) if word.deprel.startswith("nsubj")]
-            performers = [word for word in subjects if word.form.lower() in _HEARERS]
-            yield from ((convention.performer, word.form.lower()) for word in performers[:1])
+            performers = [word for word in subjects if word.said in _HEARERS]
+            yield from ((convention.performer, word.said) for word in performers[:1])
         name = convention.verb_fills.get(task, "")
         if name and name not in filled:
             yield name, trigger
@@ -198,8 +197,8 @@ class _Writer:
 
     def _is_typed(self, index: int, types: Tuple[str, ...]) -> bool:
         word = self._tree.word(index)
-        before = self._tree.words[index - 2].form.lower() if index > 1 else ""
-        forms = [f"{before} {word.form.lower()}", word.form.lower(), word.lemma.lower()]
+        before = self._tree.words[index - 2].said if index > 1 else ""
+        forms = [f"{before} {word.said}", word.said, word.lemma.lower()]
         return self._types.of_noun(forms).fit(types) is Fit.LIKELY
 
     def _span(self, part: _Part) -> str:
@@ -216,7 +215,7 @@ class _Writer:
         inside = self._tree.subtree(part.head) & part.positions | {part.head}
         last = part.head
         for child in self._tree.children(part.head):
-            prepositions = prepositions_of(self._tree, child.index)
+            prepositions = self._tree.said_prepositions(child.index)
             is_of = child.deprel.startswith("nmod") and prepositions == ["of"] and child.index in inside
             is_name = child.index == last + 1 and child.deprel in ("flat", "nummod") and child.index in inside
             if is_name or (is_of and not self._is_typed(child.index, _ROOM)):

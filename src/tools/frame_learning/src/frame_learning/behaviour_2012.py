@@ -17,7 +17,7 @@ from semantic_frames.relation_names import MEASURE
 from semantic_types import Fit
 from utterance_passes.engine.running import run_tree_passes
 from utterance_passes.table import PARSE_CORRECTING_PASSES
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import VERBS, DependencyTree
 from utterance_passes.trees.vocabulary import Verbs
 
 #: A frame with the position of its verb, and the position of the word that fills each element.
@@ -40,11 +40,11 @@ def understand_2012(
     sentence = Sentence(run_tree_passes(tree, Verbs(), PARSE_CORRECTING_PASSES))
     filled: List[Filled] = []
     for word in tree.words:
-        if word.upos not in ("VERB", "AUX"):
+        if word.upos not in VERBS:
             continue
         found: List[Filled] = []
         for verb in lexicon.verbs_beginning_with(word.lemma.lower()):
-            particles = [other.form.lower() for other in tree.words[word.index : word.index + len(verb.split()) - 1]]
+            particles = [other.said for other in tree.words[word.index : word.index + len(verb.split()) - 1]]
             if particles != verb.split()[1:]:
                 continue
             for unit in lexicon.units_of(verb, frames):
@@ -80,7 +80,7 @@ def _values(sentence: Sentence, verb: int, unit: LexicalUnit) -> Tuple[Tuple[str
 
 def _is_allowed(sentence: Sentence, position: int, relation: ElementRelation) -> bool:
     word = sentence.word(position)
-    is_listed = word.form.lower() in relation.words or word.lemma.lower() in relation.words
+    is_listed = word.said in relation.words or word.lemma.lower() in relation.words
     return is_listed or fit_of_relation(sentence.types, position, relation) is not Fit.WRONG
 
 

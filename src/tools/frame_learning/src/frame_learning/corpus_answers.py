@@ -85,13 +85,12 @@ def _annotated(
 
 
 def _semantic_head(tree: DependencyTree, mapping: CorpusMapping, head: int) -> int:
-    while head > 0 and tree.word(head).form.lower() in mapping.transparent_nouns:
+    while head > 0 and tree.word(head).said in mapping.transparent_nouns:
         inner = next(
             (
                 child.index
                 for child in tree.children(head)
-                if child.deprel.startswith("nmod")
-                and any(word.deprel == "case" and word.form.lower() == "of" for word in tree.children(child.index))
+                if child.deprel.startswith("nmod") and any(word.said == "of" for word in tree.prepositions(child.index))
             ),
             0,
         )

@@ -6,10 +6,11 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tupl
 from frame_learning.annotated_sentences import AnnotatedSentence, Span
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.filling.attachment import places_before
-from semantic_framer.filling.matching import DIRECTIONAL
+from semantic_framer.filling.relation_paths import DIRECTIONAL
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
+from utterance_passes.trees.tree import VERBS
 from word_classes import word_class
 
 _DIRECTIONS = word_class("directions")
@@ -61,12 +62,10 @@ def lesson_of(
     if not verb_words:
         unexplained.append(f'{annotated.place}: the parser has no word for the verb in "{annotated.text}"')
         return None
-    ranked = [word for upos in ("VERB", "AUX") for word in verb_words if sentence.word(word).upos == upos]
+    ranked = [word for upos in VERBS for word in verb_words if sentence.word(word).upos == upos]
     verb = (ranked or list(verb_words))[0]
     particles = [
-        sentence.word(word).form.lower()
-        for word in verb_words
-        if word > verb and sentence.word(word).upos in _CLOSED_CLASSES
+        sentence.word(word).said for word in verb_words if word > verb and sentence.word(word).upos in _CLOSED_CLASSES
     ]
     relations: Dict[str, str] = {}
     words: Dict[str, str] = {}
@@ -95,12 +94,12 @@ def lesson_of(
             after_place |= {(name, preposition) for preposition in places_before(sentence.tree, head)[:1]}
         relations[name] = "/".join(path)
         word = sentence.word(head)
-        words[name] = word.form.lower()
+        words[name] = word.said
         if (
             word.upos in _CLOSED_CLASSES
-            or (word.form.lower() in _DIRECTIONS and not is_side_of_something(sentence.tree, head))
-            or (path == ("dobj",) and word.form.lower() in _PORTALS)
-            or (path[-1] == "nsubj" and word.form.lower() in _HEARERS)
+            or (word.said in _DIRECTIONS and not is_side_of_something(sentence.tree, head))
+            or (path == ("dobj",) and word.said in _PORTALS)
+            or (path[-1] == "nsubj" and word.said in _HEARERS)
         ):
             closed.add(name)
         arguments[name] = _argument(sentence, positions, head)

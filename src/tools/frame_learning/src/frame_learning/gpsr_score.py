@@ -146,7 +146,7 @@ class _Words:
         return self._between(self._command.spans[first][0], self._command.spans[last - 1][1])
 
     def is_as_said(self, value: TypedArgument) -> bool:
-        return value.text.lower() in (self._tree.word(position).form.lower() for position in value.positions)
+        return value.text.lower() in (self._tree.word(position).said for position in value.positions)
 
     def of_value(self, value: TypedArgument) -> FrozenSet[int]:
         found: FrozenSet[int] = frozenset()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Dict, FrozenSet, Iterable, Iterator, List, Nam
 import numpy as np
 
 from semantic_frames.lexical_unit import LexicalUnit
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import NOMINALS, VERBS, DependencyTree, Word
 from utterance_passes.trees.vocabulary import NamedWord
 
 if TYPE_CHECKING:
@@ -27,8 +27,6 @@ _DIRECT = frozenset(["dobj", "obj"])
 _PARTICLES = frozenset(["prt", "compound:prt"])
 _ADVERB = "advmod"
 _OBJECT = frozenset(["obj", "iobj"])
-_VERBAL = frozenset(["VERB", "AUX"])
-_NOMINAL = frozenset(["NOUN", "PROPN", "PRON"])
 _BEGINS_NO_NOUN_PHRASE = frozenset(["ADP", "SCONJ", "CCONJ", "PART", "PUNCT", "INTJ"])
 #: What a noun is that the network does not take for the phrase of a preposition. Measures and times have subtypes.
 _MISREAD = frozenset(["obj", "iobj", "obl", "nmod", "xcomp", "ccomp", "dep", "appos", "compound"])
@@ -129,7 +127,7 @@ def named_words(tree: DependencyTree, hints: FrozenSet[Hint]) -> Tuple[NamedWord
     uses = _uses(hints)
     found: List[NamedWord] = []
     for word in tree.words:
-        form = word.form.lower()
+        form = word.said
         for words, verbs in uses.prepositions.get(form, {}).items():
             if len(words) == 1 or words == _forms(tree, word.index, word.index + len(words) - 1):
                 found += _preposition(tree, word, len(words), verbs, uses)
@@ -139,13 +137,13 @@ def named_words(tree: DependencyTree, hints: FrozenSet[Hint]) -> Tuple[NamedWord
 
 
 def _forms(tree: DependencyTree, first: int, last: int) -> _Words:
-    return tuple(word.form.lower() for word in tree.words[first - 1 : last])
+    return tuple(word.said for word in tree.words[first - 1 : last])
 
 
 def _preposition(
     tree: DependencyTree, word: Word, length: int, verbs: Sequence[_Words], uses: _Uses
 ) -> Tuple[NamedWord, ...]:
-    if word.deprel in _SEEN and tree.word(word.head).deprel not in _OBJECT:
+    if word.deprel in _SEEN and tree.governor(word).deprel not in _OBJECT:
         return ()  # mostly
     verb = _verb_before(tree, word, verbs)
     noun = _noun_behind(tree, word, length) if verb is not None else None
@@ -165,7 +163,7 @@ def _particle(tree: DependencyTree, word: Word, verbs: Sequence[_Words], uses: _
     if noun is None or noun.head not in (verb.index, word.index) or noun.deprel not in _MISREAD:
         is_loose = word.head == verb.index and word.deprel in _LOOSE
         return (NamedWord(word.index, 1, 0, verb.index, is_particle=True),) if is_loose else ()
-    form = word.form.lower()
+    form = word.said
     is_preposition = _is_said(tree, verb, word, uses.prepositions.get(form, {}).get((form,), ()))
     is_seen = word.deprel == "compound:prt" and noun.deprel == "obj"
     if is_preposition or is_seen or not _may_have_object_behind(tree, verb, word, uses):
@@ -186,7 +184,7 @@ def _may_have_object_behind(tree: DependencyTree, verb: Word, word: Word, uses: 
 
 def _verb_before(tree: DependencyTree, word: Word, verbs: Sequence[_Words]) -> Optional[Word]:
     """Return the last verb before a word, if it is one of some verbs, and all words between are its own."""
-    verb = next((one for one in reversed(tree.words[: word.index - 1]) if one.upos in _VERBAL), None)
+    verb = next((one for one in reversed(tree.words[: word.index - 1]) if one.upos in VERBS), None)
     if verb is None or not _is_said(tree, verb, word, verbs):
         return None
     own = tree.subtree(verb.index) | tree.subtree(word.index)
@@ -200,14 +198,14 @@ def _noun_behind(tree: DependencyTree, word: Word, length: int) -> Optional[Word
         return None
     noun = tree.word(position)
     while noun.head > noun.index:
-        noun = tree.word(noun.head)
+        noun = tree.governor(noun)
     begins_before = any(one.index < word.index for one in tree.children(noun.index))
-    return noun if noun.upos in _NOMINAL and not begins_before else None
+    return noun if noun.upos in NOMINALS and not begins_before else None
 
 
 def _is_misread(tree: DependencyTree, word: Word, noun: Word, verb: Word) -> bool:
     """Whether a noun behind a preposition is the phrase of neither the preposition nor anything else."""
-    if word.upos in _VERBAL and any(one != noun and one.upos != "PUNCT" for one in tree.children(word.index)):
+    if word.upos in VERBS and any(one != noun and one.upos != "PUNCT" for one in tree.children(word.index)):
         return False  # a clause: "while avoiding the hall"
     if word.deprel in _SEEN:
         return word.head == noun.index and noun.head == verb.index and noun.deprel in _OBJECT

@@ -4,7 +4,7 @@ from typing import FrozenSet, Optional, Tuple
 
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.formula_file import pattern_of
-from utterance_passes.trees.tree import ASIDE, DependencyTree
+from utterance_passes.trees.tree import ASIDE, VERBS, DependencyTree
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Vocabulary, is_verb
 
@@ -56,7 +56,7 @@ def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: in
             edit.rehang(word.index, *_outside(tree, word.index, inside))
         else:
             below = tree.children(word.index)
-            is_phrase = word.deprel == "advcl" and word.upos not in ("VERB", "AUX")
+            is_phrase = word.deprel == "advcl" and word.upos not in VERBS
             is_of_it = word.head in inside or any(child.index in said for child in below)
             if is_of_it:
                 is_phrase = is_phrase and any(child.deprel == "case" and child.index not in said for child in below)
@@ -67,7 +67,7 @@ def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: in
 def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
     """Find the first comparison: its words, and the adverb that stays; 0 if there is none."""
     words = tree.open_words
-    forms = [word.form.lower() for word in words]
+    forms = [word.said for word in words]
     if not _COMPARISONS.search(" ".join(forms)):
         return None
     for first in range(len(words)):
@@ -77,7 +77,7 @@ def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
                 said = words[first:behind]
                 positions = frozenset(word.index for word in said)
                 left = match.groupdict()[_LEFT]
-                adverb = next((word.index for word in said if left and word.form.lower() == left), 0)
+                adverb = next((word.index for word in said if left and word.said == left), 0)
                 return positions - {adverb}, adverb
     return None
 
@@ -85,7 +85,7 @@ def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
 def _verb_of(tree: DependencyTree, inside: FrozenSet[int], vocabulary: Vocabulary) -> int:
     """Return the verb that the comparison modifies: the one above it, else the first known verb; 0 if there is none."""
     above = {_outside(tree, index, inside)[0] for index in inside} - {0}
-    verbs = [word for word in tree.open_words if word.index not in inside and word.upos in ("VERB", "AUX")]
+    verbs = [word for word in tree.open_words if word.index not in inside and word.upos in VERBS]
     known = [word for word in verbs if is_verb(vocabulary, word)]
     return next((word.index for word in verbs if word.index in above), known[0].index if known else 0)
 
@@ -94,5 +94,5 @@ def _outside(tree: DependencyTree, index: int, inside: FrozenSet[int]) -> Tuple[
     """Return the nearest head of a word that is not among some words, and the relation to it."""
     word = tree.word(index)
     while word.head in inside:
-        word = tree.word(word.head)
+        word = tree.governor(word)
     return word.head, word.deprel

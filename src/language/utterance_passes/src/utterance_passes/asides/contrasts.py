@@ -4,8 +4,8 @@ from typing import FrozenSet, List, Optional
 
 from utterance_passes.engine.pass_needs import only_with_forms
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.phrases.clauses import has_case, prepositions_of, verb_above
-from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.phrases.clauses import has_case
+from utterance_passes.trees.tree import ASIDE, NOMINALS, VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
@@ -14,7 +14,6 @@ _ALL = word_class("words_for_all")
 _CONTRASTS = word_class("contrasts")
 _EXCEPTIONS = word_class("exceptions_of_all")
 _NOT = word_class("not")
-_NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
 #: Relations that the parser gives to what is left out.
 _LEFT_OUT = frozenset(["conj", "nmod", "obl", "obj"])
 #: Relations of phrases that are added to a deed.
@@ -43,10 +42,10 @@ def _with_things_left_out(tree: DependencyTree) -> DependencyTree:
     *except the cup*"."""
     edit = TreeEdit(tree)
     for but in tree.words:
-        if but.form.lower() not in _EXCEPTIONS or but.deprel not in ("case", "cc") or not but.head:
+        if but.said not in _EXCEPTIONS or but.deprel not in ("case", "cc") or not but.head:
             continue
-        left_out = tree.word(but.head)
-        is_thing = left_out.upos in _NOUNS or left_out.upos == "NUM"
+        left_out = tree.governor(but)
+        is_thing = left_out.upos in NOMINALS or left_out.upos == "NUM"
         if not is_thing or left_out.deprel not in _LEFT_OUT or but.index > left_out.index:
             continue
         every = next((word for word in _things_before(tree, but, left_out) if _is_of_all(tree, word)), None)
@@ -59,14 +58,14 @@ def _with_things_left_out(tree: DependencyTree) -> DependencyTree:
 
 def _things_before(tree: DependencyTree, but: Word, left_out: Word) -> List[Word]:
     """Return the things of which others may be left out: the one above, then the others of the deed, the last first."""
-    above = tree.word(left_out.head)
-    deed = tree.subtree(verb_above(tree, above).index)
+    above = tree.governor(left_out)
+    deed = tree.subtree(tree.verb_above(above).index)
     before = [tree.word(index) for index in sorted(deed, reverse=True) if index < but.index]
-    return [word for word in (above, *before) if word.upos in _NOUNS or word.upos == "DET"]
+    return [word for word in (above, *before) if word.upos in NOMINALS or word.upos == "DET"]
 
 
 def _is_of_all(tree: DependencyTree, word: Word) -> bool:
-    return any(one.form.lower() in _ALL for one in (word, *tree.children(word.index)))
+    return any(one.said in _ALL for one in (word, *tree.children(word.index)))
 
 
 def _with_kinds_left_out(tree: DependencyTree) -> DependencyTree:
@@ -81,7 +80,7 @@ def _with_kinds_left_out(tree: DependencyTree) -> DependencyTree:
         if len(things) != 1 or _is_property_said(tree, things):
             continue
         for word in tree.children(left_out.index):
-            if word in denying or word.form.lower() in _EXCEPTIONS:
+            if word in denying or word.said in _EXCEPTIONS:
                 edit.retag(word.index, "ADP", "IN")
                 edit.relabel(word.index, "case")
         edit.rehang(left_out.index, things[0].index, "nmod")
@@ -90,19 +89,19 @@ def _with_kinds_left_out(tree: DependencyTree) -> DependencyTree:
 
 def _denying_of_kind(tree: DependencyTree, word: Word) -> List[Word]:
     """Return the "not" that begins a described phrase without its noun: "*not* the red one"; none for others."""
-    if word.form.lower() not in _STANDINS or word.deprel not in _OF_PHRASES or not word.head:
+    if word.said not in _STANDINS or word.deprel not in _OF_PHRASES or not word.head:
         return []
     own = tree.children(word.index)
     joints = {one.index for one in own if one.deprel in ("punct", "cc", "case")}
     first = min(tree.subtree(word.index) - joints)
     is_described = any(one.deprel.split(":")[0] in ("amod", "nmod", "acl") for one in own)
-    return [one for one in own if one.form.lower() in _NOT and one.index == first] if is_described else []
+    return [one for one in own if one.said in _NOT and one.index == first] if is_described else []
 
 
 def _things_like(tree: DependencyTree, left_out: Word) -> List[Word]:
     """Return the things that a phrase without its noun may be one of: the one above, and those of the deed."""
-    above = tree.word(left_out.head)
-    of_deed = [one for one in tree.children(verb_above(tree, above).index) if one.deprel in ("obj", "obl")]
+    above = tree.governor(left_out)
+    of_deed = [one for one in tree.children(tree.verb_above(above).index) if one.deprel in ("obj", "obl")]
     things = [one for one in of_deed if one.upos == "NOUN" and one.index < left_out.index]
     return things if above.upos != "NOUN" or above in things else [*things, above]
 
@@ -130,8 +129,8 @@ def meant_instead(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     "*don't* go *to the hall but* to the office"."""
     edit = TreeEdit(tree)
     for but in tree.words:
-        meant = tree.word(but.head) if but.head else but
-        denied = _denied(tree, meant) if but.form.lower() == "but" and but.index < meant.index else None
+        meant = tree.governor(but)
+        denied = _denied(tree, meant) if but.said == "but" and but.index < meant.index else None
         denying = _denying(tree, denied) if denied is not None else frozenset()
         if denied is None or not denying:
             continue
@@ -147,7 +146,7 @@ def meant_instead(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _denied(tree: DependencyTree, meant: Word) -> Optional[Word]:
     """Return the phrase that "but" contrasts with another one; None for "anything but", and between deeds."""
-    head = tree.word(meant.head) if meant.head else meant
+    head = tree.governor(meant)
     before = [one for one in tree.children(head.index) if one.index < meant.index]
     # Behind a verb, the parser takes the second phrase for one like the first, or for one that is joined to the verb.
     alike = [one for one in before if one.deprel == meant.deprel != "conj" or _is_joined_alike(tree, one, meant)]
@@ -158,18 +157,16 @@ def _denied(tree: DependencyTree, meant: Word) -> Optional[Word]:
 
 
 def _is_joined_alike(tree: DependencyTree, phrase: Word, meant: Word) -> bool:
-    prepositions = prepositions_of(tree, phrase.index)
-    return meant.deprel == "conj" and bool(prepositions) and prepositions == prepositions_of(tree, meant.index)
+    prepositions = tree.said_prepositions(phrase.index)
+    return meant.deprel == "conj" and bool(prepositions) and prepositions == tree.said_prepositions(meant.index)
 
 
 def _denying(tree: DependencyTree, phrase: Word) -> FrozenSet[int]:
     """Return the words that deny a phrase: "not" right before it, or "do not" at its verb; none if nothing does."""
-    first = min(tree.subtree(phrase.index))
-    verb = verb_above(tree, tree.word(phrase.head) if phrase.head else phrase)
+    first = tree.phrase_start(phrase.index)
+    verb = tree.verb_above(tree.governor(phrase))
     nots = [
-        word
-        for word in tree.words[: phrase.index]
-        if word.form.lower() in _NOT and word.head in (phrase.index, verb.index)
+        word for word in tree.words[: phrase.index] if word.said in _NOT and word.head in (phrase.index, verb.index)
     ]
     if len(nots) != 1:
         return frozenset()
@@ -196,8 +193,8 @@ def contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        is_side = word.deprel in ("advmod", "conj") and word.form.lower() in _OPPOSITE_SIDES
-        is_phrase = word.deprel in _OF_PHRASES and word.upos in _NOUNS
+        is_side = word.deprel in ("advmod", "conj") and word.said in _OPPOSITE_SIDES
+        is_phrase = word.deprel in _OF_PHRASES and word.upos in NOMINALS
         if not (is_side or is_phrase) or _is_left_out(tree, word) or not _is_contrast(tree, word):
             continue
         for index in tree.subtree(word.index):
@@ -207,7 +204,7 @@ def contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _is_left_out(tree: DependencyTree, word: Word) -> bool:
     """Whether a phrase leaves out one of a kind, "a cup, *not the red one*"; of which thing may be open."""
-    is_exception = any(one.deprel == "case" and one.form.lower() in _NOT for one in tree.children(word.index))
+    is_exception = any(one.said in _NOT for one in tree.prepositions(word.index))
     return is_exception or (
         bool(_denying_of_kind(tree, word)) and not _is_property_said(tree, _things_like(tree, word))
     )
@@ -215,8 +212,8 @@ def _is_left_out(tree: DependencyTree, word: Word) -> bool:
 
 def _is_contrast(tree: DependencyTree, word: Word) -> bool:
     said = [tree.word(index) for index in sorted(tree.subtree(word.index))]
-    forms = [one.form.lower() for one in said if one.upos != "PUNCT"]
-    if any(one.upos in ("VERB", "AUX") for one in said):
+    forms = [one.said for one in said if one.upos != "PUNCT"]
+    if any(one.upos in VERBS for one in said):
         return False
     if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
         return True
@@ -225,18 +222,18 @@ def _is_contrast(tree: DependencyTree, word: Word) -> bool:
     if forms[0] in ("and", "but") and forms[1:2] and forms[1] in _NOT and is_joined:
         thing = _wanted_instead(tree, word, said[0])
         # "All rooms but not the hall" leaves out one of them; "not through the hall" is about the way.
-        is_of_all = _is_of_all(tree, thing) or any(child.form.lower() in _ALL for child in tree.children(thing.index))
-        is_alike = prepositions_of(tree, word.index) == prepositions_of(tree, thing.index)
+        is_of_all = _is_of_all(tree, thing) or any(child.said in _ALL for child in tree.children(thing.index))
+        is_alike = tree.said_prepositions(word.index) == tree.said_prepositions(thing.index)
         return is_alike and not is_of_all and _is_last(tree, word)
     # Without the pause, "not" may belong to what is before it.
     is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
-    return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
+    return is_set_off and word.index == tree.phrase_end(word.index) and _is_last(tree, word)
 
 
 def _wanted_instead(tree: DependencyTree, word: Word, first: Word) -> Word:
     """Return what is contrasted with a phrase: its head, or, if that is the verb, the phrase of the verb before it: "go
     *to the hall* and not to the office"."""
-    head = tree.word(word.head)
+    head = tree.governor(word)
     if head.upos != "VERB":
         return head
     before = [child for child in tree.children(head.index) if child.deprel == "obl" and child.index < first.index]
@@ -263,8 +260,8 @@ def not_only(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Set "not only" aside before "but": "bring *not only* the cup but also the plate" forbids nothing."""
     edit = TreeEdit(tree)
     for first, second in zip(tree.words, tree.words[1:]):
-        joints = [word for word in tree.words[second.index :] if word.form.lower() == "but" and word.deprel == "cc"]
-        if [first.form.lower(), second.form.lower()] == _NOT_ONLY and joints and first.head:
+        joints = [word for word in tree.words[second.index :] if word.said == "but" and word.deprel == "cc"]
+        if [first.said, second.said] == _NOT_ONLY and joints and first.head:
             for word in (first, second):
                 edit.rehang(word.index, first.head, ASIDE)
     return edit.tree()

@@ -39,7 +39,7 @@ def formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
 
 def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
     words = tree.open_words
-    forms = [word.form.lower().replace("’", "'") for word in words]
+    forms = [word.said.replace("’", "'") for word in words]
     spoken = [word for word in words if word.upos != "PUNCT"]
     for first, word in enumerate(words):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
@@ -65,5 +65,5 @@ def _belongs_to(before: Word, words: Sequence[Word], vocabulary: Vocabulary) -> 
         return True
     verbs = vocabulary.verbs_beginning_with(before.lemma.lower()) if before.upos == "VERB" else ()
     return before.upos in ("ADP", "DET", "SCONJ") or any(
-        words[0].form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)
+        words[0].said in listed for verb in verbs for listed in vocabulary.lists_of(verb)
     )

@@ -63,12 +63,12 @@ def plain(word: Word) -> str:
     """Return a word in the form that the patterns of objections expect: lower case, straight apostrophes, any mark as
     a comma.
     """
-    form = word.form.lower().replace("\u2019", "'")
+    form = word.said.replace("\u2019", "'")
     return "," if word.upos == "PUNCT" else "n't" if form == "nt" else form
 
 
 def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
-    words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in _LEAD_IN]
+    words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.said not in _LEAD_IN]
     return bool(words) and is_verb(vocabulary, words[0])
 
 
@@ -96,12 +96,12 @@ def _is_forbidden_too(tree: DependencyTree, position: int) -> bool:
     before, behind = tree.words[:position], [word for word in tree.words[position:] if word.upos == "VERB"]
     if not _forbids(tree, position):
         return False
-    if any(word.form.lower() == "again" for word in before[-2:]):
+    if any(word.said == "again" for word in before[-2:]):
         return True  # "Don't use it again. Go home." says what is never to be done.
     if not behind or behind[0].index != position + 1 or behind[0].deprel in ("obj", "obl", "nmod", "compound"):
         return True  # "Don't bring anything but water": it is a thing.
     is_same = any(word.lemma.lower() == behind[0].lemma.lower() for word in before)
     joined = [word for word in behind[1:] if word.deprel == "conj"]
     joints = [child for word in joined for child in tree.children(word.index) if child.deprel == "cc"]
-    is_list = any(joint.form.lower() != "but" for joint in joints)
+    is_list = any(joint.said != "but" for joint in joints)
     return is_list and before[-1].form == "," and not is_same

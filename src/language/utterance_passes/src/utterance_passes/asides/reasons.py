@@ -3,7 +3,7 @@
 from typing import Sequence
 
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, NOUNS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit, set_aside
 from utterance_passes.trees.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
@@ -67,22 +67,22 @@ def _first(tree: DependencyTree, clause: Word) -> int:
 def _is_spoken_of(tree: DependencyTree, clause: Word) -> bool:
     """Whether words behind a clause may stand for what it names."""
     inside = tree.subtree(clause.index)
-    is_named = any(tree.word(index).upos in ("NOUN", "PROPN") for index in inside)
+    is_named = any(tree.word(index).upos in NOUNS for index in inside)
     behind = tree.words[max(inside) :]
-    return is_named and any(word.form.lower() in _PRONOUNS for word in behind)
+    return is_named and any(word.said in _PRONOUNS for word in behind)
 
 
 def _is_reason(tree: DependencyTree, clause: Word) -> bool:
     children = tree.children(clause.index)
     first = tree.word(_first(tree, clause))
-    is_marked = first.head == clause.index and (first.form.lower() in _REASONS or _is_for_somebody(first, children))
+    is_marked = first.head == clause.index and (first.said in _REASONS or _is_for_somebody(first, children))
     return is_marked and _has_subject(children) and not _holds_command(tree, clause)
 
 
 def _is_for_somebody(first: Word, children: Sequence[Word]) -> bool:
     """Whether a clause says what a person can do then: "so that I can see", but not "so that it faces the wall"."""
-    is_persons = any(child.deprel in _SUBJECTS and child.form.lower() in _PERSONS for child in children)
-    return first.form.lower() == "so" and is_persons and any(child.form.lower() in _MODALS for child in children)
+    is_persons = any(child.deprel in _SUBJECTS and child.said in _PERSONS for child in children)
+    return first.said == "so" and is_persons and any(child.said in _MODALS for child in children)
 
 
 def _has_subject(children: Sequence[Word]) -> bool:
@@ -100,11 +100,11 @@ def _holds_command(tree: DependencyTree, clause: Word) -> bool:
 def _is_of_deed(tree: DependencyTree, clause: Word, vocabulary: Vocabulary) -> bool:
     """Whether a reason can only belong to its verb: it is in front of it, or no other clause and no words that are
     said are between both."""
-    verb = top = tree.word(clause.head)
-    if vocabulary.takes_clause(verb.lemma.lower(), tree.word(_first(tree, clause)).form.lower()):
+    verb = top = tree.governor(clause)
+    if vocabulary.takes_clause(verb.lemma.lower(), tree.word(_first(tree, clause)).said):
         return False
     while top.deprel in _OWN_CLAUSES:
-        top = tree.word(top.head)
+        top = tree.governor(top)
     if top.head:
         return False  # "tell Anna to come because dinner is ready"
     if clause.index < verb.index:

@@ -32,7 +32,7 @@ def places_of_turns(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
 
 def _place(tree: DependencyTree, verb: int) -> FrozenSet[int]:
     """Return the words behind a verb that say where it turns; none if they go on, "turn on the spot light"."""
-    forms = [word.form.lower() for word in tree.words]
+    forms = [word.said for word in tree.words]
     for first in range(verb, len(forms)):
         for phrase in _PHRASES:
             last = first + len(phrase)

@@ -55,18 +55,18 @@ def aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
 
 
 def _deed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> Optional[Word]:
-    if word.lemma.lower() not in _ASPECTUAL_VERBS or word.upos != "VERB" or word.form.lower() != word.lemma.lower():
+    if word.lemma.lower() not in _ASPECTUAL_VERBS or word.upos != "VERB" or word.said != word.lemma.lower():
         return None
     children = tree.children(word.index)
     subjects = [child for child in children if child.deprel.startswith("nsubj")]
-    if any(subject.form.lower() not in _HEARERS for subject in subjects):
+    if any(subject.said not in _HEARERS for subject in subjects):
         return None
     deed = next((child for child in children if child.index > word.index and _is_deed(tree, child)), None)
     if deed is None or any(child.deprel in ("obj", "iobj") and child.index < deed.index for child in children):
         return None
-    marks = {child.form.lower() for child in tree.children(deed.index) if child.deprel == "mark"}
+    marks = {child.said for child in tree.children(deed.index) if child.deprel == "mark"}
     is_bare = not marks and (deed.upos == "NOUN" or (deed.xpos == "VBG" and deed.deprel == "xcomp"))
-    is_known = f"{word.lemma.lower()} {deed.form.lower()}" in vocabulary.verbs_beginning_with(word.lemma.lower())
+    is_known = f"{word.lemma.lower()} {deed.said}" in vocabulary.verbs_beginning_with(word.lemma.lower())
     is_deed = bool(_base(deed, vocabulary)) and not is_known
     return deed if is_deed and (is_bare or (bool(marks) and marks <= _MARKS)) else None
 
@@ -81,7 +81,7 @@ def _is_deed(tree: DependencyTree, word: Word) -> bool:
 
 def _base(deed: Word, vocabulary: Vocabulary) -> str:
     """Return the base form that the lexicon has of a deed; empty if it has none."""
-    form = deed.form.lower()
+    form = deed.said
     forms = [deed.lemma.lower()] if deed.upos == "VERB" else []
     forms += base_forms(form, VERB) if form.endswith("ing") else ()
     return next((form for form in forms if vocabulary.verbs_beginning_with(form)), "")

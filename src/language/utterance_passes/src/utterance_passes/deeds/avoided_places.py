@@ -3,7 +3,7 @@
 from typing import FrozenSet, Optional, Tuple
 
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, NOUNS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
@@ -15,7 +15,6 @@ _AVOIDING = word_class("verbs_of_avoiding")
 _CROSSING = word_class("prepositions_of_crossing")
 _GOING = word_class("verbs_of_going")
 _NOT = word_class("not")
-_NOUNS = frozenset(["NOUN", "PROPN"])
 _OF_DEEDS = frozenset(["advcl", "xcomp", "conj", "parataxis", "acl", "dep"])
 _WAY = frozenset(["way", "route"])
 _WITHOUT = frozenset(["without"])
@@ -60,14 +59,14 @@ def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
         is_plain = all(_is_beside(tree, child) for child in children if child not in places)
         return (places[0], word.index) if len(places) == 1 and is_plain else None
     if word.lemma.lower() in _GOING | _ARRIVING and word.deprel in _OF_DEEDS:
-        is_without = any(child.deprel == "mark" and child.form.lower() in _WITHOUT for child in children)
+        is_without = any(child.deprel == "mark" and child.said in _WITHOUT for child in children)
         places = [child for child in children if child.deprel in ("obl", "obj")]
         is_crossed = len(places) == 1 and (_crossing(tree, places[0]) or word.lemma.lower() in _ARRIVING)
         return (places[0], word.index) if is_without and is_crossed else None
-    if word.upos in _NOUNS and word.deprel in ("conj", "obl", "nmod", "parataxis"):
-        first = min(tree.subtree(word.index))
+    if word.upos in NOUNS and word.deprel in ("conj", "obl", "nmod", "parataxis"):
+        first = tree.phrase_start(word.index)
         said = [tree.word(index) for index in range(first, word.index)]
-        is_denied = any(one.form.lower() in _NOT for one in said)
+        is_denied = any(one.said in _NOT for one in said)
         border = _crossing(tree, word)
         return (word, border) if is_denied and border else None
     return None
@@ -75,8 +74,8 @@ def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
 
 def _crossing(tree: DependencyTree, place: Word) -> int:
     """Return the place of "through" or another word for crossing before a noun; 0 for none."""
-    cases = [child for child in tree.children(place.index) if child.deprel == "case"]
-    return next((case.index for case in cases if case.form.lower() in _CROSSING), 0)
+    cases = tree.prepositions(place.index)
+    return next((case.index for case in cases if case.said in _CROSSING), 0)
 
 
 def _is_beside(tree: DependencyTree, child: Word) -> bool:
@@ -89,15 +88,15 @@ def _is_beside(tree: DependencyTree, child: Word) -> bool:
 def _in_front(tree: DependencyTree, place: Word, border: int) -> FrozenSet[int]:
     """Return the words below a place that stand before the border, and the border: ", but not *through* the hall"."""
     before = [index for index in tree.subtree(place.index) if index <= border]
-    cases = [child.index for child in tree.children(place.index) if child.deprel == "case"]
+    cases = [child.index for child in tree.prepositions(place.index)]
     return frozenset([*before, *cases])
 
 
 def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
     """Return the verb of going that a word is attached to, directly or behind the goal."""
-    head = tree.word(word.head) if word.head else None
-    while head is not None and head.upos in _NOUNS and head.head:
-        head = tree.word(head.head)
+    head = tree.governor(word) if word.head else None
+    while head is not None and head.upos in NOUNS and head.head:
+        head = tree.governor(head)
     # "Keep *visiting* the kitchen, avoiding the hall."
     verbs = [] if head is None else [head, *(child for child in tree.children(head.index) if child.deprel == "xcomp")]
     return next((verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING and verb.index != word.index), None)

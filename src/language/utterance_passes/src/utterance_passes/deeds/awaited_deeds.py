@@ -55,16 +55,16 @@ def awaited_deeds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _awaited(tree: DependencyTree, verb: Word) -> Optional[Tuple[int, int, Word]]:
     """Return the positions of "for" and "to" behind a verb of waiting, and the verb behind "to"; None for none."""
-    behind = [word for word in tree.words[verb.index :] if word.form.lower() not in _PLACES]
-    if len(behind) < 4 or behind[0].form.lower() != "for":
+    behind = [word for word in tree.words[verb.index :] if word.said not in _PLACES]
+    if len(behind) < 4 or behind[0].said != "for":
         return None
     for place, word in enumerate(behind[1 : _LONGEST_PHRASE + 2], start=1):
         if word.upos in _NO_PHRASE:
             return None
-        if word.form.lower() != "to" or place == 1 or place + 1 >= len(behind):
+        if word.said != "to" or place == 1 or place + 1 >= len(behind):
             continue
         deed = behind[place + 1]
-        is_verb = deed.xpos == "VB" or (deed.upos == "NOUN" and VERB in parts_of_speech(deed.form.lower()))
-        if is_verb and deed.form.lower() == deed.lemma.lower():
+        is_verb = deed.xpos == "VB" or (deed.upos == "NOUN" and VERB in parts_of_speech(deed.said))
+        if is_verb and deed.said == deed.lemma.lower():
             return behind[0].index, word.index, deed
     return None

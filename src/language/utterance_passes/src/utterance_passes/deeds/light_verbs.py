@@ -51,7 +51,7 @@ def light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
 
 def _verb_of_done(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> str:
     """Return the verb for what is done: "make" for a u-turn, "wash" for the dishes; empty if there is none."""
-    done = frozenset(child.form.lower() for child in tree.children(word.index) if child.deprel == "obj")
+    done = frozenset(child.said for child in tree.children(word.index) if child.deprel == "obj")
     made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with(_MAKE))
     if not done.isdisjoint(made.union(*vocabulary.lists_of(_MAKE))):
         return _MAKE
@@ -62,10 +62,10 @@ def _verb_of_done(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> s
 def _is_wish(tree: DependencyTree, word: Word) -> bool:
     children = tree.children(word.index)
     modals = _WOULD if word.lemma.lower() in _WISHING_VERBS else _PERMISSION_MODALS
-    is_for_another = any(child.form.lower() == "you" for child in children)
+    is_for_another = any(child.said == "you" for child in children)
     return (
-        any(child.deprel == "aux" and child.form.lower() in modals for child in children)
-        and any(child.deprel == "nsubj" and child.form.lower() in _SPEAKERS for child in children)
+        any(child.deprel == "aux" and child.said in modals for child in children)
+        and any(child.deprel == "nsubj" and child.said in _SPEAKERS for child in children)
         and any(child.deprel == "obj" for child in children)
         and not is_for_another
     )

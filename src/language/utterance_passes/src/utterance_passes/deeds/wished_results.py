@@ -133,7 +133,7 @@ def _needed(tree: DependencyTree, verb: Word, vocabulary: Vocabulary) -> Optiona
         helping = [child for child in tree.children(deed.index) if child.deprel.startswith("aux")]
         is_helped = any(child.deprel == "aux:pass" for child in helping)
         is_passive = deed.xpos in _PARTICIPLES and (is_helped or is_verb_of_duty)
-        is_due = is_verb_of_duty or any(child.form.lower() in _DUTIES for child in helping)
+        is_due = is_verb_of_duty or any(child.said in _DUTIES for child in helping)
         is_wanted = is_due and (is_passive or (is_verb_of_duty and deed.xpos == "VBG"))
         base = _base(deed, vocabulary) if is_wanted else ""
         if base:
@@ -149,8 +149,8 @@ def _base(deed: Word, vocabulary: Vocabulary) -> str:
 
 def _is_causative(tree: DependencyTree, verb: Word) -> bool:
     """Whether the hearer is told to have something done: "get", "can you have"."""
-    subjects = [child.form.lower() for child in tree.children(verb.index) if child.deprel.startswith("nsubj")]
-    is_base = verb.form.lower() in _CAUSATIVE and verb.upos == "VERB"
+    subjects = [child.said for child in tree.children(verb.index) if child.deprel.startswith("nsubj")]
+    is_base = verb.said in _CAUSATIVE and verb.upos == "VERB"
     return is_base and all(subject in _HEARERS for subject in subjects)
 
 
@@ -166,7 +166,7 @@ def _joined_results(tree: DependencyTree, wish: Word, vocabulary: Vocabulary) ->
 def _result(tree: DependencyTree, wish: Word, vocabulary: Vocabulary) -> Optional[_Result]:
     children = tree.children(wish.index)
     for deed in tree.words[wish.index :]:
-        above = [tree.word(deed.head)] if deed.head else []
+        above = [tree.governor(deed)] if deed.head else []
         things = [*above, *children, *tree.children(deed.index)]
         thing = next((one for one in things if one.deprel in _THINGS and wish.index < one.index < deed.index), None)
         if thing is None or deed.deprel not in _CLAUSES or wish.index not in (deed.head, thing.head):
@@ -179,15 +179,13 @@ def _result(tree: DependencyTree, wish: Word, vocabulary: Vocabulary) -> Optiona
 
 def _is_speaker(tree: DependencyTree, wish: Word) -> bool:
     """Whether the speaker wishes something now."""
-    subjects = [child.form.lower() for child in tree.children(wish.index) if child.deprel == "nsubj"]
-    return wish.form.lower() in _WISHES and any(subject in _SPEAKERS for subject in subjects)
+    subjects = [child.said for child in tree.children(wish.index) if child.deprel == "nsubj"]
+    return wish.said in _WISHES and any(subject in _SPEAKERS for subject in subjects)
 
 
 def _is_definite(tree: DependencyTree, thing: Word) -> bool:
-    determiners = {
-        child.form.lower() for child in tree.children(thing.index) if child.deprel.split(":")[0] in ("det", "nmod")
-    }
-    is_named = thing.upos == "PROPN" or thing.form.lower() in _PRONOUNS
+    determiners = {child.said for child in tree.children(thing.index) if child.deprel.split(":")[0] in ("det", "nmod")}
+    is_named = thing.upos == "PROPN" or thing.said in _PRONOUNS
     return is_named or (bool(determiners) and not determiners & _INDEFINITE)
 
 
@@ -208,5 +206,5 @@ def _is_deed(tree: DependencyTree, thing: Word, deed: Word) -> bool:
     if any(child.deprel in _NAMES for child in own):
         # "The book *called Emma*".
         return False
-    cases = [case.form.lower() for child in own for case in tree.children(child.index) if case.deprel == "case"]
+    cases = [case.said for child in own for case in tree.prepositions(child.index)]
     return first == deed.index and all(case in _OF_DEEDS for case in cases)

@@ -109,8 +109,8 @@ def changes(rule: str, before: DependencyTree, after: DependencyTree) -> List[Tr
 def _arc(tree: DependencyTree, word: Word) -> str:
     if not word.head:
         return word.deprel
-    head = tree.word(word.head)
-    is_alone = sum(1 for other in tree.words if other.form.lower() == head.form.lower()) == 1
+    head = tree.governor(word)
+    is_alone = sum(1 for other in tree.words if other.said == head.said) == 1
     return f"{word.deprel}({head.form if is_alone else f'{head.form}-{head.index}'})"
 
 

@@ -3,7 +3,7 @@
 from typing import FrozenSet
 
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.trees.tree import QUOTED, DependencyTree, Word
+from utterance_passes.trees.tree import NOUNS, QUOTED, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
@@ -53,10 +53,7 @@ def _top(tree: DependencyTree, inside: FrozenSet[int]) -> Word:
 def _says_more(tree: DependencyTree, quoted: FrozenSet[int]) -> bool:
     unsaid = quoted | tree.fillers
     return any(
-        word.index not in unsaid
-        and word.upos != "PUNCT"
-        and word.form.lower() not in _AROUND
-        and word.deprel not in _ADDRESSES
+        word.index not in unsaid and word.upos != "PUNCT" and word.said not in _AROUND and word.deprel not in _ADDRESSES
         for word in tree.words
     )
 
@@ -92,9 +89,9 @@ def _join_to_word_before(
 
 def _is_told(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
     """Whether a noun belongs to a verb of saying or of naming, which takes the quotation, too."""
-    verb = tree.word(word.head).lemma.lower() if word.head else ""
+    verb = tree.governor(word).lemma.lower() if word.head else ""
     return verb in _SAYING or vocabulary.speech_of(verb) is not None
 
 
 def _joins_nouns(tree: DependencyTree, word: Word) -> bool:
-    return word.deprel == "conj" and tree.word(word.head).upos in ("NOUN", "PROPN")
+    return word.deprel == "conj" and tree.governor(word).upos in NOUNS

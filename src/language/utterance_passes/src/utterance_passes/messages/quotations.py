@@ -15,7 +15,7 @@ from utterance_passes.phrases.times import find_times
 from utterance_passes.phrases.verb_matching import Saying, has_verb_of_saying, match_verbs, saying_of, stray_clause
 from utterance_passes.trees.formula_file import pattern_of
 from utterance_passes.trees.persons import is_person_or_name
-from utterance_passes.trees.tree import QUOTATION_MARKS, QUOTED, DependencyTree, Word
+from utterance_passes.trees.tree import NOUNS, QUOTATION_MARKS, QUOTED, VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
@@ -24,7 +24,6 @@ _AS_SOON_AS = ["as", "soon", "as"]
 _AFTER_NO = word_class("after_no")
 _COMPARISONS = pattern_of("comparisons")
 _CONDITIONS = word_class("conditions")
-_NOUNS = frozenset(["NOUN", "PROPN"])
 _COURTESIES = word_class("courtesies")
 _HARMLESS = word_class("harmless")
 _NEGATIONS = word_class("negations")
@@ -112,31 +111,31 @@ class _Quotation:
             edit.rehang(self._requested, self._verb, "xcomp")
             for child in tree.children(self._verb):
                 # "Tell Bob *not* to come": Bob is told.
-                if child.form.lower() in _NEGATIONS and self._start <= child.index < self._requested:
+                if child.said in _NEGATIONS and self._start <= child.index < self._requested:
                     edit.rehang(child.index, self._requested, "advmod")
             return edit.tree()
         inside = self._without_addressee(self._between_marks() or self._without_condition(self._governed()))
         if not inside or not inside <= self._tree.subtree(self._verb) or _is_of_nothing(self._tree, inside):
             return tree
         # "Inform Bob as soon *as possible*" has no message.
-        behind = [word.form.lower() for word in tree.words[self._start - 1 : max(inside)]]
+        behind = [word.said for word in tree.words[self._start - 1 : max(inside)]]
         if any(_COMPARISONS.fullmatch(" ".join(behind[first:])) for first in range(len(behind) - len(inside) + 1)):
             return tree
-        counts = [word.index for word in tree.words[self._verb :] if word.form.lower() in _TIMES]
+        counts = [word.index for word in tree.words[self._verb :] if word.said in _TIMES]
         if len(counts) > 1 and not inside.isdisjoint(counts):
             return tree  # "Say hello twice and goodbye *once*": nobody says "goodbye once" twice.
         edit = TreeEdit(tree)
         head = self._head(inside)
         first = self._tree.word(min(inside))
         is_asked = self._tree.is_infinitive(head.index)  # "Tell Bob *when to come*."
-        if first.form.lower() in _PUTTING_OFF and has_verb(self._tree, inside) and not is_asked:
+        if first.said in _PUTTING_OFF and has_verb(self._tree, inside) and not is_asked:
             edit.relabel(head.index, "advcl")
             return edit.tree()
         is_phrase = inside == self._tree.subtree(head.index) and head.deprel in ("obj", "ccomp")
         if is_phrase and not self._moved and not any(_is_more_than_a_name(self._tree, index) for index in inside):
             return tree
         is_mark = first.deprel in ("mark", "det") or self._is_all_behind
-        if first.form.lower() == "that" and is_mark and has_verb(self._tree, inside):
+        if first.said == "that" and is_mark and has_verb(self._tree, inside):
             self._moved[first.index] = (head.index, "mark")
         for word in tree.words:
             if word.index in self._names:
@@ -146,7 +145,7 @@ class _Quotation:
                 edit.rehang(word.index, governor, relation)
             elif word.index == head.index:
                 edit.rehang(word.index, self._verb, "obj")
-                if word.form.lower() in _NEGATIONS:
+                if word.said in _NEGATIONS:
                     edit.retag(word.index, "INTJ")
             elif word.index in inside:
                 edit.rehang(word.index, head.index, QUOTED)
@@ -171,7 +170,7 @@ class _Quotation:
                 and not _name_taken_for_a_verb(self._tree, word)
                 and self._tree.is_infinitive(word.index)
                 # "Tell Bob *how to come*" says something.
-                and self._tree.word(min(self._tree.subtree(word.index))).form.lower() not in _QUESTION_WORDS
+                and self._tree.word(self._tree.phrase_start(word.index)).said not in _QUESTION_WORDS
             ),
             0,
         )
@@ -181,14 +180,14 @@ class _Quotation:
         for child in self._tree.children(self._verb):
             spoken = (self._tree.word(index) for index in sorted(self._tree.subtree(child.index)))
             first_word = next((word for word in spoken if word.upos != "PUNCT"), child)
-            is_other = child.deprel == "ccomp" and first_word.form.lower() in _OTHERWISE
+            is_other = child.deprel == "ccomp" and first_word.said in _OTHERWISE
             if is_other and first_word.index > self._start:
                 # "Say yes, *otherwise say no*": the second verb is no part of what is said.
                 self._moved[child.index] = (self._verb, "parataxis")
                 return first_word.index
         for clause in clauses:
             word = self._tree.word(clause.verb)
-            first = min(self._tree.subtree(word.index))
+            first = self._tree.phrase_start(word.index)
             is_joined = word.head == self._verb and word.deprel in ("conj", "parataxis", "list")
             before = first
             while before > self._start and _is_joint(self._tree.word(before - 1)):
@@ -201,7 +200,7 @@ class _Quotation:
 
     def _as_soon_as(self) -> int:
         """Return where a condition begins behind words without a verb: "say hello *as soon as the bell rings*"."""
-        forms = [word.form.lower() for word in self._tree.words]
+        forms = [word.said for word in self._tree.words]
         starts = range(self._start, len(forms) - 2)
         found = next((place for place in starts if forms[place : place + 3] == _AS_SOON_AS), len(forms))
         return found + 1 if not has_verb(self._tree, range(self._start, found + 1)) else len(forms) + 1
@@ -241,13 +240,13 @@ class _Quotation:
             before = frozenset(other for other in inside if other < index)
             if has_verb(self._tree, before):
                 break
-            if word.form.lower() not in _CONDITIONS or word.deprel not in ("mark", "advmod"):
+            if word.said not in _CONDITIONS or word.deprel not in ("mark", "advmod"):
                 continue
             behind = inside - before
-            top = self._tree.word(word.head)
+            top = self._tree.governor(word)
             while top.head in behind:
-                top = self._tree.word(top.head)
-            has_subject = any(child.deprel.startswith("nsubj") for child in self._tree.children(top.index))
+                top = self._tree.governor(top)
+            has_subject = self._tree.subject(top.index) is not None
             if top.index in behind and has_subject and has_verb(self._tree, behind):
                 self._moved[top.index] = (self._verb, "advcl")
                 return before
@@ -260,30 +259,30 @@ class _Quotation:
             return True
         if relation == "conj" and child.upos == "ADV" and inside:
             # "Say hello, *but quietly*".
-            return any(other.form.lower() == "but" for other in self._tree.children(child.index))
-        if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
+            return any(other.said == "but" for other in self._tree.children(child.index))
+        if child.said in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
-            return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
+            return child.said not in _COURTESIES and (bool(inside) or not is_last)
         # In "say what day it is to Bob" the parser may take Bob for a predicate.
         if any(inner.deprel == "cop" for inner in self._tree.children(child.index)):
             return False
-        is_phrase = relation in ("obl", "nmod", "advmod") and child.form.lower() not in _NEGATIONS
-        return _case(self._tree, child.index) == "to" or (is_phrase and not has_verb(self._tree, inside))
+        is_phrase = relation in ("obl", "nmod", "advmod") and child.said not in _NEGATIONS
+        return self._tree.preposition(child.index) == "to" or (is_phrase and not has_verb(self._tree, inside))
 
     def _without_addressee(self, inside: FrozenSet[int]) -> FrozenSet[int]:
         """Remove "to Bob" from the message; a place after it says where Bob is."""
         for index in sorted(inside):
             word = self._tree.word(index)
-            cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
+            cases = [child.index for child in self._tree.prepositions(index)]
             name = _name_taken_for_a_verb(self._tree, word)
             if name:
                 self._moved[name] = (index, "case")
                 self._names.add(index)
                 cases = [name]
             phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
-            is_to = bool(name) or _case(self._tree, index) == "to"
+            is_to = bool(name) or self._tree.preposition(index) == "to"
             is_end = max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = name or word.form.lower() in _PERSONS_TOLD or is_person_or_name(word)
+            is_somebody = name or word.said in _PERSONS_TOLD or is_person_or_name(word)
             has_subject = any(
                 self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
                 for i in inside - phrase
@@ -296,13 +295,13 @@ class _Quotation:
                     self._moved[behind] = (index, "nmod")
                     inside = inside - self._tree.subtree(behind)
                 break
-        tops = [w for w in self._tree.children(self._verb) if _case(self._tree, w.index) and w.index not in inside]
+        tops = [w for w in self._tree.children(self._verb) if self._tree.preposition(w.index) and w.index not in inside]
         for person, place in zip(tops, tops[1:]):
             is_next = self._tree.is_next(place.index, person.index)
             if (
-                _case(self._tree, person.index) == "to"
+                self._tree.preposition(person.index) == "to"
                 and is_next
-                and _case(self._tree, place.index) in _PLACE_PREPOSITIONS
+                and self._tree.preposition(place.index) in _PLACE_PREPOSITIONS
             ):
                 if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")
@@ -317,7 +316,7 @@ class _Quotation:
                 child.index
                 for child in self._tree.children(self._verb)
                 if behind and self._tree.subtree(child.index) == behind
-                if child.upos in _NOUNS and _case(self._tree, child.index) in _PLACE_PREPOSITIONS
+                if child.upos in NOUNS and self._tree.preposition(child.index) in _PLACE_PREPOSITIONS
             ),
             0,
         )
@@ -331,30 +330,25 @@ class _Quotation:
 
 
 def _is_joint(word: Word) -> bool:
-    return word.deprel == "cc" or word.upos == "PUNCT" or word.form.lower() == "then"
-
-
-def _case(tree: DependencyTree, index: int) -> str:
-    """Return the preposition of a word in lower case; empty for none."""
-    return next((word.form.lower() for word in tree.children(index) if word.deprel == "case"), "")
+    return word.deprel == "cc" or word.upos == "PUNCT" or word.said == "then"
 
 
 def _name_taken_for_a_verb(tree: DependencyTree, word: Word) -> int:
     """Return the position of "to" before an unknown name that the parser takes for a verb: "what day it is to
     *Hayden*"; 0 for other words."""
     children = tree.children(word.index)
-    to = next((child.index for child in children if child.deprel == "mark" and child.form.lower() == "to"), 0)
+    to = next((child.index for child in children if child.deprel == "mark" and child.said == "to"), 0)
     is_predicate = any(child.deprel == "cop" and child.index < to for child in children)
     return to if to == word.index - 1 and word.form[:1].isupper() and is_predicate else 0
 
 
 def _is_of_nothing(tree: DependencyTree, inside: FrozenSet[int]) -> bool:
-    forms = [tree.word(index).form.lower() for index in sorted(inside)]
+    forms = [tree.word(index).said for index in sorted(inside)]
     is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _AFTER_NO
     return not has_verb(tree, inside) and (forms[0] in _NO_PRONOUNS or is_no_thing)
 
 
 def _is_more_than_a_name(tree: DependencyTree, index: int) -> bool:
     word = tree.word(index)
-    is_verb = word.upos in ("VERB", "AUX")
-    return is_verb or word.deprel in ("conj", "mark") or word.form.lower() in _NEGATIONS | _CONDITIONS
+    is_verb = word.upos in VERBS
+    return is_verb or word.deprel in ("conj", "mark") or word.said in _NEGATIONS | _CONDITIONS

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
 
 from spoken_quantities import QuantityError, Unit, find_unit, number_words, parse_measure, parse_number
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import NOUNS, DependencyTree
 from word_classes import word_class
 
 #: The most words of an amount ("one hundred and twenty - five and a half feet and six inches").
@@ -124,19 +124,19 @@ def is_beside(tree: DependencyTree, first: int, second: int) -> bool:
 def counts_things(tree: DependencyTree, amount: Amount) -> bool:
     """Whether a number precedes the noun that it counts: "two eggs"; "to three left" counts nothing."""
     numeral = tree.word(amount.positions[-1])
-    noun = tree.word(numeral.head) if numeral.head else numeral
+    noun = tree.governor(numeral)
     between = [tree.word(index) for index in range(numeral.index + 1, noun.index)]
-    is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in ("NOUN", "PROPN")
+    is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in NOUNS
     is_next = all(word.upos in ("ADJ", "NOUN", "PROPN") for word in between)
-    is_thing = noun.lemma.lower() != "time" and noun.form.lower() not in _DIRECTIONS
+    is_thing = noun.lemma.lower() != "time" and noun.said not in _DIRECTIONS
     return is_counted and is_next and not amount.unit and not find_unit(noun.form) and is_thing
 
 
 def is_number(tree: DependencyTree, index: int) -> bool:
     """Whether a word is a number, or a part of one that has no other meaning (unlike articles, "and" and signs)."""
     word = tree.word(index)
-    form = word.form.lower()
-    before = tree.word(index - 1).form.lower() if index > 1 else ""
+    form = word.said
+    before = tree.word(index - 1).said if index > 1 else ""
     if form in _ORDINALS or form in ("couple", "few"):
         return before in _ARTICLES | {"one", "-"}
     if form == "one":
@@ -150,7 +150,7 @@ def is_number(tree: DependencyTree, index: int) -> bool:
 def _begins_range(tree: DependencyTree, index: int) -> bool:
     """Whether "one" is the first of two numbers: "one to about three radians"; "the red one" is a thing."""
     following = [word for word in tree.words[index : index + 3] if word.upos != "ADV"]
-    is_joined = bool(following) and following[0].form.lower() in ("to", "or")
+    is_joined = bool(following) and following[0].said in ("to", "or")
     is_alone = not any(child.deprel in ("det", "amod") for child in tree.children(index))
     return is_alone and is_joined and len(following) > 1 and following[1].upos == "NUM"
 
@@ -161,10 +161,10 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
     unit = find_unit(word.form)
     if unit is None:
         return None
-    if word.form.lower() == "in" and word.deprel == "case" and word.head > index:
+    if word.said == "in" and word.deprel == "case" and word.head > index:
         # "70 in backwards" means inches; "two in the hall" does not.
         is_glued_on = index > 1 and tree.is_glued(index - 1, index)
-        return unit if is_glued_on or tree.word(word.head).upos == "ADV" else None
+        return unit if is_glued_on or tree.governor(word).upos == "ADV" else None
     if unit.name == "second" and word.upos == "ADJ":
         return None
     if unit.is_assumed and (word.upos != "NOUN" or _is_place(tree, word.index)):
@@ -179,17 +179,17 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
 def _is_place(tree: DependencyTree, index: int) -> bool:
     """Whether a noun has a preposition or a determiner that no amount has: "on a step", "the three steps"."""
     children = tree.children(index)
-    has_place = any(child.deprel == "case" and child.form.lower() not in ("by", "of") for child in children)
-    return has_place or any(child.deprel == "det" and child.form.lower() not in _ARTICLES for child in children)
+    has_place = any(child.deprel == "case" and child.said not in ("by", "of") for child in children)
+    return has_place or any(child.deprel == "det" and child.said not in _ARTICLES for child in children)
 
 
 def _may_be_inside(tree: DependencyTree, index: int) -> bool:
-    return tree.word(index).form.lower() in _MAY_BE_INSIDE or is_number(tree, index)
+    return tree.word(index).said in _MAY_BE_INSIDE or is_number(tree, index)
 
 
 def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
     """Read all of some words as one amount."""
-    forms = [tree.word(index).form.lower() for index in window]
+    forms = [tree.word(index).said for index in window]
     if not _is_written_so(tree, window, forms):
         return None
     unit = unit_at(tree, window[-1]) if len(window) > 1 else None
@@ -227,7 +227,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
         # "Quarter turns" and "a turns" do not say how many turns.
         return None
     turn = tree.word(window[-1])
-    if turn.form.lower() in _TURNS and (measure.amount > 1.0 or (turn.upos == "VERB" and not _FRACTION.search(spoken))):
+    if turn.said in _TURNS and (measure.amount > 1.0 or (turn.upos == "VERB" and not _FRACTION.search(spoken))):
         return None
     return Amount(
         tuple(window), measure.amount, turn.form, measure.quantity, measure.si_amount, spoken, unit_position=window[-1]
@@ -259,8 +259,8 @@ def _has_determiner(tree: DependencyTree, index: int) -> bool:
 
 def _is_of_noun(tree: DependencyTree, index: int) -> bool:
     word = tree.word(index)
-    noun = tree.word(word.head) if word.head else word
-    is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
+    noun = tree.governor(word)
+    is_behind = noun.index < index and noun.upos in NOUNS
     is_name = (
         is_behind
         and not find_unit(noun.form)
@@ -268,12 +268,12 @@ def _is_of_noun(tree: DependencyTree, index: int) -> bool:
     )
     # "One left turn" is as many turns.
     is_count = word.deprel == "nummod" and noun.index > index
-    return is_name or (word.form.lower() == "one" and not is_count) or is_iteration(tree, index)
+    return is_name or (word.said == "one" and not is_count) or is_iteration(tree, index)
 
 
 def is_iteration(tree: DependencyTree, index: int) -> bool:
     """Whether a number says how often: "5 times"."""
-    return index < len(tree.words) and tree.word(index + 1).form.lower() in ("time", "times")
+    return index < len(tree.words) and tree.word(index + 1).said in ("time", "times")
 
 
 def _said(tree: DependencyTree, window: Sequence[int]) -> str:
@@ -291,7 +291,7 @@ def _said(tree: DependencyTree, window: Sequence[int]) -> str:
 
 def _sum(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
     """Return an amount in several units, such as "5 feet 6 inches", converted to its first unit."""
-    first = tree.word(window[0]).form.lower()
+    first = tree.word(window[0]).said
     if not is_number(tree, window[0]) and first not in _ARTICLES | SIGNS | {"-"}:
         return None
     if not unit_at(tree, window[-1]) and window[-1] < len(tree.words):

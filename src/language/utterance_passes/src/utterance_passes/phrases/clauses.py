@@ -5,7 +5,7 @@ from typing import FrozenSet, List, Optional, Set, Tuple
 
 from spoken_quantities import find_unit
 from utterance_passes.trees.clause_tops import top_of, tops_of
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import VERBS, DependencyTree, Word
 from utterance_passes.trees.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
@@ -136,7 +136,7 @@ def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, .
 def _amount_behind(tree: DependencyTree, clause: Clause, word: Word) -> FrozenSet[int]:
     """Return the amount right behind a phrase that shares a verb: in "turn right, then left *45 degrees*", it is that
     of the second turn."""
-    behind = max(tree.subtree(word.index)) + 1
+    behind = tree.phrase_end(word.index) + 1
     amounts = [
         tree.subtree(child.index)
         for child in tree.children(clause.verb)
@@ -147,35 +147,35 @@ def _amount_behind(tree: DependencyTree, clause: Clause, word: Word) -> FrozenSe
 
 def may_share_a_verb(tree: DependencyTree) -> bool:
     """Whether a sentence has any word that joins; without one, no two phrases share a verb."""
-    return any(word.deprel == "conj" or word.form.lower() in _JOINING for word in tree.words)
+    return any(word.deprel == "conj" or word.said in _JOINING for word in tree.words)
 
 
 def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
     """Whether a word that is not a verb is joined to a verb: "to the kitchen", "left" in "turn right and then left"."""
     children = tree.children(word.index)
-    is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
+    is_choice = any(child.deprel == "cc" and child.said != "and" for child in children)
     if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
         return False
     is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(is_then(child) for child in children))
-    is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
+    is_direction = word.said in _LEFT_AND_RIGHT and all(
         child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
     )
     is_next = word.deprel == "obl" and (any(is_then(child) for child in children) or _is_listed(tree, word))
-    is_phrase = (word.deprel == "conj" or is_next) and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+    is_phrase = (word.deprel == "conj" or is_next) and word.upos not in VERBS and has_case(tree, word)
     return is_phrase or (is_joined and is_direction)
 
 
 def _is_listed(tree: DependencyTree, word: Word) -> bool:
     """Whether a phrase stands between two with its preposition: "to the kitchen, *to the office*, and to Bob"."""
-    first = min(tree.subtree(word.index))
+    first = tree.phrase_start(word.index)
     if first < 2 or "," not in (tree.word(first).form, tree.word(first - 1).form):
         return False
-    cases = {case.form.lower() for case in tree.children(word.index) if case.deprel == "case"}
+    cases = {case.said for case in tree.prepositions(word.index)}
     alike = [
         other.index
         for other in tree.children(word.head)
         if other.deprel in ("obl", "conj")
-        if cases & {case.form.lower() for case in tree.children(other.index) if case.deprel == "case"}
+        if cases & {case.said for case in tree.prepositions(other.index)}
     ]
     return bool(alike) and min(alike) < word.index < max(alike)
 
@@ -186,38 +186,24 @@ def _is_shared(tree: DependencyTree, word: Word) -> bool:
 
 def is_then(word: Word) -> bool:
     """Whether a word puts what follows behind what came before."""
-    return word.deprel == "advmod" and word.form.lower() in _ORDER
-
-
-def verb_above(tree: DependencyTree, word: Word) -> Word:
-    """Return the nearest verb above a word, or the word itself if it is one; the top word if there is none."""
-    while word.upos != "VERB" and word.head:
-        word = tree.word(word.head)
-    return word
+    return word.deprel == "advmod" and word.said in _ORDER
 
 
 def has_case(tree: DependencyTree, word: Word) -> bool:
     """Whether a word has a preposition before it."""
-    return any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
-
-
-def prepositions_of(tree: DependencyTree, index: int) -> List[str]:
-    """Return the prepositions of a word, in lower case and in order: "out", "of" for "out of the box"."""
-    return [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    return any(child.index < word.index for child in tree.prepositions(word.index))
 
 
 def _collect(
     tree: DependencyTree, vocabulary: Vocabulary, word: Word, is_negated: bool, found: List[Tuple[int, bool]]
 ) -> None:
-    following = [other.form.lower() for other in tree.words[word.index :]]
+    following = [other.said for other in tree.words[word.index :]]
     last = word.index + max(1, vocabulary.length_of_verb([word.lemma.lower()] + following)) - 1
     # "Go" in "let go of" and "face" in "turn to face" are words of the verb, not separate verbs.
     children = tuple(child for child in tree.children(word.index) if not word.index < child.index <= last)
     is_negated = is_negated or _has_negation(tree, word) or _assures_not(tree, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
-    wrapped = next(
-        (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
-    )
+    wrapped = next((child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in VERBS), None)
     assured = _assured(tree, word)
     if assured is not None:
         # "Make sure to open the door" asks for the door, and "make sure not to open it" forbids it.
@@ -231,7 +217,7 @@ def _collect(
         _collect(tree, vocabulary, wrapped, is_negated, found)
     elif copula is not None:
         found.append((copula.index, is_negated))
-    elif word.upos in ("VERB", "AUX"):
+    elif word.upos in VERBS:
         serial = next(
             (
                 child
@@ -255,7 +241,7 @@ def _collect(
         if _is_shared(tree, child):
             continue
         if child.deprel in ("conj", "parataxis", "list") and (
-            child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in tree.children(child.index))
+            child.upos in VERBS or any(inner.deprel == "cop" for inner in tree.children(child.index))
         ):
             # "Don't move or speak" negates both verbs; "don't move, just speak" is rare, and it is safe not to act.
             _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
@@ -265,18 +251,18 @@ def _asks_about_others(tree: DependencyTree, clause: Word) -> bool:
     """Whether a clause asks about somebody else: "ask *whether anybody is hungry*" wraps no request."""
     children = tree.children(clause.index)
     subjects = [child for child in children if child.deprel.startswith("nsubj")]
-    is_question = any(child.form.lower() in _WHETHER for child in children)
-    return is_question and bool(subjects) and all(one.form.lower() not in _HEARERS for one in subjects)
+    is_question = any(child.said in _WHETHER for child in children)
+    return is_question and bool(subjects) and all(one.said not in _HEARERS for one in subjects)
 
 
 def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:
     """Return what somebody is to make sure to do: "open" in "make sure to open the door"; None for other sentences."""
-    sure = next((child for child in tree.children(verb.index) if child.form.lower() in _CERTAIN), None)
+    sure = next((child for child in tree.children(verb.index) if child.said in _CERTAIN), None)
     if sure is None or verb.lemma.lower() not in _ASSURING:
         return None
     for child in tree.children(sure.index) + tree.children(verb.index):
-        marks = [mark.form.lower() for mark in tree.children(child.index) if mark.deprel == "mark"]
-        if child.upos in ("VERB", "AUX") and child.deprel in ("ccomp", "xcomp", "advcl") and "to" in marks:
+        marks = [mark.said for mark in tree.children(child.index) if mark.deprel == "mark"]
+        if child.upos in VERBS and child.deprel in ("ccomp", "xcomp", "advcl") and "to" in marks:
             return child
     return None
 
@@ -286,7 +272,7 @@ def _assures_not(tree: DependencyTree, verb: Word) -> bool:
     desist", "be sure that *you do not* move"."""
     if verb.lemma.lower() not in _ASSURING:
         return False
-    behind = [word.form.lower() for word in tree.words[verb.index :]]
+    behind = [word.said for word in tree.words[verb.index :]]
     if not behind or behind[0] not in _CERTAIN:
         return False
     return next((form for form in behind[1:] if form not in _BEFORE_NOT), "") in _FORBIDDING
@@ -295,10 +281,10 @@ def _assures_not(tree: DependencyTree, verb: Word) -> bool:
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
     """Whether a verb is a command to ask another person: "ask Alice to wait". "I ask you to wait" wraps a request."""
     objects = [child for child in children if child.deprel in ("obj", "iobj")]
-    subjects = [child.form.lower() for child in children if child.deprel.startswith("nsubj")]
+    subjects = [child.said for child in children if child.deprel.startswith("nsubj")]
     is_known = verb.lemma.lower() in vocabulary.verbs_beginning_with(verb.lemma.lower())
     is_asked = is_known and _HEARERS.issuperset(subjects)
-    return is_asked and any(child.form.lower() not in _HEARERS for child in objects)
+    return is_asked and any(child.said not in _HEARERS for child in objects)
 
 
 def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child: Word) -> bool:
@@ -323,9 +309,9 @@ def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child:
 
 def _has_negation(tree: DependencyTree, word: Word) -> bool:
     return any(
-        child.form.lower() in _NEGATIONS or child.lemma.lower() in _NEGATIONS
+        child.said in _NEGATIONS or child.lemma.lower() in _NEGATIONS
         for child in tree.children(word.index)
-        if child.deprel in _OF_NEGATIONS or (child.deprel.startswith("nsubj") and child.form.lower() in _NEGATIONS)
+        if child.deprel in _OF_NEGATIONS or (child.deprel.startswith("nsubj") and child.said in _NEGATIONS)
     )
 
 
@@ -335,14 +321,14 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     In "say no", the word is quoted and negates nothing; in "make sure that nobody is in", it negates another verb.
     """
     words = [tree.word(index) for index in sorted(positions - tree.quoted - _said_of_others(tree, verb, positions))]
-    forms = [word.form.lower() for word in words]
+    forms = [word.said for word in words]
     # "No more than three cups" is a bound.
     bounds = {place for place, form in enumerate(forms) if form == "no" and forms[place + 2 : place + 3] == ["than"]}
     words = [word for place, word in enumerate(words) if place not in bounds]
     forms = [form for place, form in enumerate(forms) if place not in bounds]
     if any(" ".join(pair) in _NO_LONGER for pair in zip(forms, forms[1:])):
         return True
-    counted = [tree.word(word.head) for word in words if word.form.lower() == "zero" and word.head > word.index]
+    counted = [tree.governor(word) for word in words if word.said == "zero" and word.head > word.index]
     if any(things.xpos == "NNS" and find_unit(things.form) is None for things in counted):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
@@ -373,7 +359,7 @@ def excluded_phrase(tree: DependencyTree, clause: Clause) -> FrozenSet[int]:
 
 def _is_time(tree: DependencyTree, word: Word) -> bool:
     """Whether a preposition of time stands before a word: "before noon"."""
-    return any(child.deprel == "case" and child.form.lower() in _CONDITIONS for child in tree.children(word.index))
+    return any(child.said in _CONDITIONS for child in tree.prepositions(word.index))
 
 
 def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> FrozenSet[int]:
@@ -386,8 +372,8 @@ def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) 
         word = tree.word(index)
         if word.deprel.split(":")[0] not in _STATING or verb in tree.subtree(index):
             continue
-        subject = next((child for child in tree.children(index) if child.deprel.startswith("nsubj")), None)
-        if subject is not None and subject.form.lower() != "you":
+        subject = tree.subject(index)
+        if subject is not None and subject.said != "you":
             found |= tree.subtree(index)
     return frozenset(found)
 
@@ -398,7 +384,7 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
     own = positions - _said_of_others(tree, verb, positions)
     is_negated = any(_has_negation(tree, tree.word(index)) for index in own)
     clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, verb, positions))
-    return replace(clause, lemma=tree.word(verb).form.lower(), subject=0)
+    return replace(clause, lemma=tree.word(verb).said, subject=0)
 
 
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
@@ -422,7 +408,7 @@ def shared_subject(tree: DependencyTree, verb: int) -> int:
     seen: Set[int] = set()
     while word.deprel == "conj" and word.index not in seen:
         seen.add(word.index)
-        word = tree.word(word.head)
+        word = tree.governor(word)
         for child in tree.children(word.index):
             if child.deprel.startswith("nsubj"):
                 return child.index
@@ -435,7 +421,7 @@ def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> Fro
         word = tree.word(index)
         if word.deprel.startswith("advcl") or word.deprel == "mark":
             clause = word.index if word.deprel.startswith("advcl") else word.head
-            marks = [child.form.lower() for child in tree.children(clause) if child.deprel in ("mark", "advmod")]
+            marks = [child.said for child in tree.children(clause) if child.deprel in ("mark", "advmod")]
             if any(mark in _CONDITIONS for mark in marks):
                 return tree.subtree(clause) if clause != top else frozenset([index])
     return frozenset()

@@ -119,7 +119,7 @@ def _with_speeds(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[
             continue
         behind = [index for index in spoken if index > amount.positions[-1]][:2]
         is_length = amount.quantity == "length" and bool(amount.unit) and not amount.is_doubtful
-        joint = tree.word(behind[0]).form.lower() if len(behind) == 2 else ""
+        joint = tree.word(behind[0]).said if len(behind) == 2 else ""
         time = find_unit(tree.word(behind[1]).form) if is_length and joint in _PER else None
         is_next = len(behind) == 2 and behind == [amount.positions[-1] + 1, amount.positions[-1] + 2]
         if time is not None and time.quantity == "duration" and is_next:
@@ -160,9 +160,9 @@ def _is_lone_unit(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -
     word = tree.word(index)
     before = tree.word(index - 1) if index > 1 else None
     is_of_something = before is not None and before.deprel in ("det", "nmod:poss") and before.head == index
-    is_of_something = is_of_something and before is not None and before.form.lower() not in ("a", "an")
+    is_of_something = is_of_something and before is not None and before.said not in ("a", "an")
     is_free = index not in tree.fillers and all(index not in amount.positions for amount in amounts)
-    return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.form.lower() in _ONLY_UNITS
+    return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.said in _ONLY_UNITS
 
 
 def _is_unreadable(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -> bool:
@@ -179,7 +179,7 @@ def stands_free(tree: DependencyTree, index: int) -> bool:
     """Whether a number stands where an amount may: it names no noun, and has no determiner and no preposition of a
     place."""
     children = tree.children(index)
-    has_case = any(child.deprel == "case" and child.form.lower() not in _OF_AMOUNTS for child in children)
+    has_case = any(child.deprel == "case" and child.said not in _OF_AMOUNTS for child in children)
     has_more = any(child.deprel in ("det", "nmod:poss", "amod", "compound") for child in children)
     return not has_case and not has_more and tree.word(index).deprel not in _IN_NAMES
 
@@ -201,7 +201,7 @@ def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amoun
 
 def _joint(tree: DependencyTree, between: Sequence[int]) -> Optional[Tuple[str, ...]]:
     """Return the words that join two amounts; None if other words separate them."""
-    forms = tuple(tree.word(index).form.lower() for index in _without_hedges(tree, between))
+    forms = tuple(tree.word(index).said for index in _without_hedges(tree, between))
     if all(form in _JOINTS for form in forms):
         return forms
     are_of_the_unit = all(tree.word(index).upos == "ADJ" for index in between)
@@ -221,7 +221,7 @@ def _are_one(tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[s
     if not first.unit or not second.unit or first.quantity == second.quantity:
         return True
     # "Two metres 90 degrees" are two amounts; "two metres a second" is a speed.
-    first_word = tree.word(second.positions[0]).form.lower()
+    first_word = tree.word(second.positions[0]).said
     if joint == ():
         return first_word in ("minus", "plus", "negative", "-", "+", "a", "an")
     return bool(set(joint) & (_ALTERNATIVES | _ARITHMETIC))
@@ -236,8 +236,8 @@ def _one(
     between: Sequence[int],
 ) -> Amount:
     before = [index for index in spoken if index < first.positions[0]][-1:]
-    opening = [index for index in before if tree.word(index).form.lower() in ("between", "from")]
-    is_between = joint == ("and",) and bool(opening) and tree.word(opening[0]).form.lower() == "between"
+    opening = [index for index in before if tree.word(index).said in ("between", "from")]
+    is_between = joint == ("and",) and bool(opening) and tree.word(opening[0]).said == "between"
     is_choice = (len(joint) == 1 and joint[0] in _ALTERNATIVES) or is_between
     # In "two or three metres", both numbers share the unit; in "a metre or two", the unit has the wrong place for that.
     shared = (second.unit_position,) if second.unit and not first.unit else ()
@@ -250,7 +250,7 @@ def _one(
 def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: AbstractSet[int]) -> Amount:
     """Return an amount, as doubtful if the words beside it change it; "between two chairs" changes no amount."""
     following = tree.word(amount.positions[-1]).head
-    if counts_things(tree, amount) and tree.word(following).form.lower() not in _BEHIND:
+    if counts_things(tree, amount) and tree.word(following).said not in _BEHIND:
         return amount
     before = [index for index in spoken if index < amount.positions[0]]
     behind = [index for index in spoken if index > amount.positions[-1]]
@@ -258,7 +258,7 @@ def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: 
     if not changing - taken:
         return amount
     # If a range is negated or bounded, the speaker means neither of its ends.
-    forms = {tree.word(index).form.lower() for index in changing}
+    forms = {tree.word(index).said for index in changing}
     is_kept = (forms <= _KEPT or forms >= _NO_MORE_THAN) and not amount.is_doubtful
     ends = (amount.positions,) if is_kept else ()
     return _doubtful(changing | frozenset(amount.positions), tree, [amount], ends)
@@ -272,11 +272,11 @@ def _changing_before(tree: DependencyTree, before: Sequence[int], amount: Amount
     if not said or not _is_close(tree, said[0], before, amount.positions[0]):
         return frozenset()
     word = tree.word(said[0])
-    form = word.form.lower()
-    before_it = tree.word(said[1]).form.lower() if len(said) > 1 else ""
+    form = word.said
+    before_it = tree.word(said[1]).said if len(said) > 1 else ""
     if (before_it, form) in _BOUNDS_BEFORE:
         return frozenset(said[:2])
-    if {tree.word(index).form.lower() for index in said[:3]} >= _NO_MORE_THAN:
+    if {tree.word(index).said for index in said[:3]} >= _NO_MORE_THAN:
         return frozenset(said[:3])
     is_a_noun = form == "point" and any(child.deprel == "det" for child in tree.children(word.index))
     if (form in _BEFORE and not is_a_noun) or is_number(tree, word.index) or _is_mark_of_arithmetic(word.form):
@@ -294,11 +294,11 @@ def _changing_behind(tree: DependencyTree, behind: Sequence[int], amount: Amount
     if not said or not _is_close(tree, last, behind, said[0]):
         return frozenset()
     word = tree.word(said[0])
-    form = word.form.lower()
+    form = word.said
     if not amount.unit and _counts_units(tree, last):
         return frozenset([tree.word(last).head])
     is_counted = counts_things(tree, amount) or is_iteration(tree, last)
-    forms = tuple(tree.word(index).form.lower() for index in said[:3])
+    forms = tuple(tree.word(index).said for index in said[:3])
     for more in _MORE_BEHIND:
         if forms[: len(more)] == more:
             return frozenset(said[: len(more)])
@@ -325,7 +325,7 @@ def _without_hedges(tree: DependencyTree, positions: Sequence[int]) -> List[int]
     return [
         index
         for index in positions
-        if index not in tree.fillers and tree.word(index).form.lower() not in _AROUND | {"oh", "a", "an", "the"}
+        if index not in tree.fillers and tree.word(index).said not in _AROUND | {"oh", "a", "an", "the"}
     ]
 
 

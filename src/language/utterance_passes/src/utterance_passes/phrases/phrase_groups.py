@@ -14,7 +14,7 @@ _PERSONS_TOLD = word_class("persons_told")
 _DIRECTIONAL = word_class("directional_prepositions")
 _PLACE = word_class("placing_prepositions")
 _BEFORE_NOUNS = frozenset(["DET", "ADJ", "NUM"])
-_NOUNS = frozenset(["NOUN", "PROPN", "NUM", "SYM"])
+_HEADS = frozenset(["NOUN", "PROPN", "NUM", "SYM"])
 #: Relations between the words of a noun phrase.
 _INSIDE = frozenset(["compound", "flat", "nummod", "amod", "det", "fixed", "goeswith"])
 #: Words between two groups.
@@ -47,12 +47,12 @@ class Phrase:
     def head(self) -> int:
         """The word that governs the others: the last noun that does not follow "of"."""
         named = self.words
-        forms = [word.form.lower() for word in named]
+        forms = [word.said for word in named]
         if "of" in forms[1:]:
             named = named[: forms.index("of", 1)]
         inside = {word.index for word in named}
         tops = [word for word in named if word.head not in inside and word.upos not in ("ADP", "DET", "CCONJ")]
-        nouns = [word for word in tops if word.upos in _NOUNS or word.upos == "PRON"]
+        nouns = [word for word in tops if word.upos in _HEADS or word.upos == "PRON"]
         return (nouns or tops or list(named))[-1].index
 
     def is_like(self, other: "Phrase") -> bool:
@@ -84,7 +84,7 @@ def _is_told(tree: DependencyTree, pair: Group, speech: Speech) -> bool:
 
 
 def _is_somebody(word: Word) -> bool:
-    return word.form.lower() in _PERSONS_TOLD or is_person_or_name(word)
+    return word.said in _PERSONS_TOLD or is_person_or_name(word)
 
 
 def with_names_apart(groups: Sequence[Group]) -> Optional[List[Group]]:
@@ -123,7 +123,7 @@ def groups_of(tree: DependencyTree, clause: Clause) -> Optional[List[Group]]:
     position = 0
     while position < len(words):
         word = words[position]
-        if word.form.lower() in JOINING:
+        if word.said in JOINING:
             if groups[-1]:
                 groups.append([])
             position += 1
@@ -146,25 +146,25 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[Phrase]:
         prepositions += 1
     taken = prepositions + _length_of_noun_phrase(tree, words[prepositions:])
     if taken > prepositions:
-        while taken < len(words) and words[taken].form.lower() == "of":
+        while taken < len(words) and words[taken].said == "of":
             more = _length_of_noun_phrase(tree, words[taken + 1 :])
             if not more:
                 return None
             taken += 1 + more
         taken += _length_of_purpose(words[taken:])
         if prepositions:
-            return Phrase(PhraseKind.PREPOSITION, tuple(words[:taken]), words[0].form.lower())
+            return Phrase(PhraseKind.PREPOSITION, tuple(words[:taken]), words[0].said)
         return Phrase(PhraseKind.NOUN, tuple(words[:taken]))
     if words[0].upos == "INTJ" and not words[0].deprel.startswith("discourse"):
         return Phrase(PhraseKind.NOUN, (words[0],))
-    if words[0].upos in ("ADV", "ADP", "ADJ") and words[0].form.lower() != "to":
+    if words[0].upos in ("ADV", "ADP", "ADJ") and words[0].said != "to":
         return Phrase(PhraseKind.ADVERB, (words[0],))
     return None
 
 
 def _length_of_purpose(words: Sequence[Word]) -> int:
     """Return the length, in words, of the purpose at the front of some words: "something *to eat*"; 0 for none."""
-    is_purpose = len(words) > 1 and words[0].form.lower() == "to" and words[1].xpos == "VB"
+    is_purpose = len(words) > 1 and words[0].said == "to" and words[1].xpos == "VB"
     return 2 if is_purpose and words[0].head == words[1].index else 0
 
 
@@ -180,11 +180,11 @@ def _length_of_noun_phrase(tree: DependencyTree, words: Sequence[Word]) -> int:
         is_before = word.upos in _BEFORE_NOUNS or word.deprel == "nmod:poss"
         if is_possessive and has_noun:
             has_noun = False
-        elif has_noun and not (word.upos in _NOUNS and _is_linked(word, taken)):
+        elif has_noun and not (word.upos in _HEADS and _is_linked(word, taken)):
             break
-        elif word.upos in _NOUNS and (word.upos != "NUM" or has_noun or not _goes_on(following)):
+        elif word.upos in _HEADS and (word.upos != "NUM" or has_noun or not _goes_on(following)):
             has_noun = True
-        elif word.upos in _NOUNS or is_before:
+        elif word.upos in _HEADS or is_before:
             has_noun = False
         else:
             break

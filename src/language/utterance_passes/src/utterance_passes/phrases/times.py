@@ -9,7 +9,7 @@ from typing import FrozenSet, Iterator, List, Tuple
 from spoken_quantities import find_number
 from utterance_passes.phrases.amounts import read_amounts
 from utterance_passes.phrases.clock_times import clock_time_at
-from utterance_passes.trees.tree import DependencyTree
+from utterance_passes.trees.tree import NOUNS, DependencyTree
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
@@ -46,7 +46,7 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
     Whatever reads a time of the clock later (:mod:`utterance_passes.phrases.clock_times`) finds its words among these.
     So no such word is left to be a part of a thing or of a place.
     """
-    forms = [word.form.lower() for word in tree.words]
+    forms = [word.said for word in tree.words]
     found: List[Tuple[int, int]] = []
     for end in range(1, len(forms) + 1):
         start = _start(tree, forms, end)
@@ -85,7 +85,7 @@ def _clock_times(tree: DependencyTree, forms: List[str]) -> Iterator[Tuple[int, 
 def _modifies(tree: DependencyTree, end: int) -> bool:
     """Whether a word belongs to a noun behind it: "the 18:30 *report*", "six thirty *cups*"."""
     word = tree.word(end)
-    return word.head > end and tree.word(word.head).upos in ("NOUN", "PROPN") and not word.deprel.startswith("obl")
+    return word.head > end and tree.governor(word).upos in NOUNS and not word.deprel.startswith("obl")
 
 
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
@@ -159,15 +159,15 @@ def _continues(tree: DependencyTree, end: int, *, is_number: bool) -> bool:
     if end == len(tree.words):
         return False
     following = tree.word(end + 1)
-    if following.form.lower() in _AFTER_TIMES or following.form.lower() in _ADVERBS:
+    if following.said in _AFTER_TIMES or following.said in _ADVERBS:
         return False
-    if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
+    if following.said in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
         return True
     # At the front of a command, the parser takes the verb after a time for a noun: "at five turn left".
-    if end == 2 and tree.word(1).form.lower() == "at":
+    if end == 2 and tree.word(1).said == "at":
         return False
     # "Two of the cups" counts.
-    is_counting = following.upos in ("NOUN", "PROPN", "ADJ", "NUM") or following.form.lower() == "of"
+    is_counting = following.upos in ("NOUN", "PROPN", "ADJ", "NUM") or following.said == "of"
     return is_number and is_counting
 
 

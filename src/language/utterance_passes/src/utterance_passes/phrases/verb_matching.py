@@ -23,7 +23,7 @@ def match_verbs(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) ->
     """Find the verbs of the lexicon that a clause uses, verbs of more words first."""
     word = tree.word(clause.verb)
     found: List[VerbMatch] = []
-    for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
+    for base in dict.fromkeys((word.lemma.lower(), word.said)):
         for verb in vocabulary.verbs_beginning_with(base):
             positions = _verb_positions(tree, clause, verb.split()[1:])
             if positions is not None and all(verb != match.verb for match in found):
@@ -56,13 +56,13 @@ def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[st
 
 
 def _form(tree: DependencyTree, index: int) -> str:
-    return tree.word(index).form.lower()
+    return tree.word(index).said
 
 
 def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:
     """Whether the head of a word is the verb or a phrase of the verb: "check whether it is on" has no "check on", nor
     has "check whether I left it on"."""
-    head = tree.word(tree.word(index).head) if tree.word(index).head else None
+    head = tree.governor(tree.word(index)) if tree.word(index).head else None
     if head is None or head.index == clause.verb:
         return head is not None
     is_particle = tree.word(index).deprel in ("case", "compound:prt")
@@ -84,7 +84,7 @@ def has_verb_of_saying(tree: DependencyTree, vocabulary: Vocabulary) -> bool:
     return any(
         vocabulary.speech_of(verb) is not None
         for word in tree.words
-        for spelling in {word.form.lower(), word.lemma.lower()}
+        for spelling in {word.said, word.lemma.lower()}
         for verb in vocabulary.verbs_beginning_with(spelling)
     )
 
@@ -108,6 +108,6 @@ def stray_clause(tree: DependencyTree, saying: Saying) -> int:
         for word in behind
         if word.deprel in ("parataxis", "conj", "ccomp")
         and word.head not in (0, saying.clause.verb)
-        and min(tree.subtree(word.index)) == saying.last + 1
+        and tree.phrase_start(word.index) == saying.last + 1
     )
     return next(strays, 0)

@@ -1,11 +1,12 @@
 """Corrects how a parser joins verbs and phrases that stand side by side: conditions, words to be said, lists."""
 
+from dataclasses import replace
 from typing import Optional
 
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.phrases.clauses import verb_above
 from utterance_passes.trees.tree import ASIDE, QUOTED, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
+from utterance_passes.trees.tree_patterns import Rehang, Sought, TreePattern, rehung
 from utterance_passes.trees.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
@@ -16,6 +17,17 @@ _OWNED = word_class("pronouns_of_owned_things")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _SIDES = word_class("opposite_sides")
 _UNTIL = frozenset(["until", "till"])
+
+
+_MARK = Sought("mark", "clause", ">--", deprel={"mark", "advmod"}, said=_CONDITIONS)
+_JOINED_CONDITION = TreePattern(
+    Sought("clause", deprel={"conj", "parataxis"}),
+    _MARK,
+    Sought("command", "clause", "<--", upos={"VERB"}),
+    # "If it is clean and if it is empty" are two conditions.
+    replace(_MARK, name="other mark", beside="command", is_absent=True),
+    Sought("subject", "clause", ">", deprel={"nsubj:*"}),
+)
 
 
 @tree_pass(
@@ -29,15 +41,15 @@ _UNTIL = frozenset(["until", "till"])
 )
 def conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a condition of a clause that is joined to the command: "bring me the cup, *but only if it is clean*"."""
-    edit = TreeEdit(tree)
-    for clause in tree.words:
-        governor = tree.word(clause.head) if clause.head else clause
-        # "If it is clean and if it is empty" are two conditions.
-        if clause.deprel in ("conj", "parataxis") and _mark(tree, clause) and not _mark(tree, governor):
-            is_command = governor.upos == "VERB" and governor.index < clause.index
-            if is_command and any(child.deprel.startswith("nsubj") for child in tree.children(clause.index)):
-                edit.relabel(clause.index, "advcl")
-    return edit.tree()
+    return rehung(tree, _JOINED_CONDITION, Rehang("clause", "advcl"))
+
+
+_DEADLINE = TreePattern(
+    Sought("time", deprel={"obl", "nmod"}, said={"time"}),
+    Sought("by", "time", ">", deprel={"case"}, said={"by"}, is_only=True),
+    Sought("clause", "time", ">", deprel={"acl:relcl"}, is_only=True),
+    Sought("verb", "time", "<<v"),
+)
 
 
 @tree_pass(
@@ -51,22 +63,18 @@ def conditions_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 )
 def deadlines_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a clause of the command of what describes "the time": "be there *by the time Bob comes*" names no place."""
-    edit = TreeEdit(tree)
-    for time in tree.words:
-        clauses = [child for child in tree.children(time.index) if child.deprel == "acl:relcl"]
-        cases = [child for child in tree.children(time.index) if child.deprel == "case"]
-        is_deadline = time.form.lower() == "time" and [case.form.lower() for case in cases] == ["by"]
-        if is_deadline and len(clauses) == 1 and time.deprel in ("obl", "nmod"):
-            verb = verb_above(tree, tree.word(time.head))
-            edit.rehang(clauses[0].index, verb.index, "advcl")
-            edit.rehang(time.index, clauses[0].index, "mark")
-            edit.rehang(cases[0].index, time.index, "fixed")
-    return edit.tree()
+    return rehung(
+        tree,
+        _DEADLINE,
+        Rehang("clause", "advcl", "verb"),
+        Rehang("time", "mark", "clause"),
+        Rehang("by", "fixed", "time"),
+    )
 
 
 def _mark(tree: DependencyTree, clause: Word) -> Optional[Word]:
     marks = [child for child in tree.children(clause.index) if child.deprel in ("mark", "advmod")]
-    return next((mark for mark in marks if mark.form.lower() in _CONDITIONS and mark.index < clause.index), None)
+    return next((mark for mark in marks if mark.said in _CONDITIONS and mark.index < clause.index), None)
 
 
 @tree_pass(
@@ -82,7 +90,7 @@ def manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a manner that is joined like a deed: "follow me, *but slowly*", "go to the door and *slowly* open it"."""
     edit = TreeEdit(tree)
     for manner in tree.words:
-        verb = tree.word(manner.head) if manner.head else manner
+        verb = tree.governor(manner)
         if (
             manner.deprel not in ("conj", "advmod")
             or manner.upos != "ADV"
@@ -108,12 +116,15 @@ def manners_joined(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_manner(word: Word) -> bool:
-    form = word.form.lower()
+    form = word.said
     return form in _MANNERS or form.endswith("ly")
 
 
-def _preposition(tree: DependencyTree, word: Word) -> str:
-    return " ".join(child.form.lower() for child in tree.children(word.index) if child.deprel == "case")
+_OWNED_BY_ANOTHER = TreePattern(
+    Sought("owned", deprel={"conj"}, said=_OWNED),
+    Sought("owner", "owned", ">", deprel={"compound"}),
+    Sought("verb", "owned", "<<v"),
+)
 
 
 @tree_pass(
@@ -128,12 +139,15 @@ def _preposition(tree: DependencyTree, word: Word) -> str:
 def owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Part what somebody owns from who gets it: "give Bob his cup and *Anna hers*" gives Bob no second thing. No unit
     knows the relation ``dep``."""
-    edit = TreeEdit(tree)
-    for owned in tree.words:
-        names = [child for child in tree.children(owned.index) if child.deprel == "compound"]
-        if owned.form.lower() in _OWNED and owned.deprel == "conj" and names:
-            edit.rehang(owned.index, verb_above(tree, owned).index, "dep")
-    return edit.tree()
+    return rehung(tree, _OWNED_BY_ANOTHER, Rehang("owned", "dep", "verb"))
+
+
+_PLACE_OF_WHAT_THERE_IS = TreePattern(
+    Sought("verb", lemma={"be"}),
+    Sought("there", "verb", ">", deprel={"expl"}),
+    Sought("thing", "verb", ">++", deprel={"nsubj"}, is_only=True),
+    Sought("place", "thing", ">|", deprel={"nmod"}, preposition=_PLACE_PREPOSITIONS - {"of"}),
+)
 
 
 @tree_pass(
@@ -147,17 +161,7 @@ def owned_things_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 )
 def places_of_what_there_is(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a place behind what there is to the verb: "there is a radio *next to the bed*" says where it is."""
-    edit = TreeEdit(tree)
-    for verb in tree.words:
-        children = tree.children(verb.index)
-        things = [child for child in children if child.deprel == "nsubj" and child.index > verb.index]
-        is_existence = verb.lemma == "be" and any(child.deprel == "expl" for child in children)
-        for place in tree.children(things[0].index) if is_existence and len(things) == 1 else ():
-            first = _preposition(tree, place).split(" ")[0]
-            is_last = max(tree.subtree(place.index)) == max(tree.subtree(things[0].index))
-            if place.deprel == "nmod" and is_last and first in _PLACE_PREPOSITIONS and first != "of":
-                edit.rehang(place.index, verb.index, "obl")
-    return edit.tree()
+    return rehung(tree, _PLACE_OF_WHAT_THERE_IS, Rehang("place", "obl", "verb"))
 
 
 @tree_pass(
@@ -175,7 +179,7 @@ def shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     edit = TreeEdit(tree)
     for described in tree.words:
         joined = [child for child in tree.children(described.index) if child.deprel == "conj"]
-        is_side = described.form.lower() in _SIDES
+        is_side = described.said in _SIDES
         if (described.upos != "ADJ" and not is_side) or len(joined) != 1 or not _is_described(tree, joined[0]):
             continue
         before = [child for child in tree.children(described.index) if child.index < described.index]
@@ -196,7 +200,7 @@ def shared_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _is_described(tree: DependencyTree, noun: Word) -> bool:
     relations = {child.deprel for child in tree.children(noun.index) if child.index < noun.index}
-    return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.form.lower() not in _ONES
+    return noun.upos == "NOUN" and {"cc", "det", "amod"} <= relations and noun.said not in _ONES
 
 
 @tree_pass(
@@ -214,10 +218,10 @@ def bounds_of_messages(tree: DependencyTree, vocabulary: Vocabulary) -> Dependen
     back*". To tell him takes no time."""
     edit = TreeEdit(tree)
     for clause in tree.words:
-        inner = tree.word(clause.head) if clause.head and clause.deprel == "advcl" else clause
+        inner = tree.governor(clause) if clause.head and clause.deprel == "advcl" else clause
         mark = _mark(tree, clause)
-        is_bound = mark is not None and mark.form.lower() in _UNTIL and inner.deprel == "xcomp"
-        if is_bound and vocabulary.speech_of(tree.word(inner.head).lemma.lower()) is not None:
+        is_bound = mark is not None and mark.said in _UNTIL and inner.deprel == "xcomp"
+        if is_bound and vocabulary.speech_of(tree.governor(inner).lemma.lower()) is not None:
             for index in tree.subtree(clause.index):
                 edit.rehang(index, inner.index, QUOTED)
     return edit.tree()

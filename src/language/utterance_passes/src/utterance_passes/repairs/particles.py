@@ -5,6 +5,7 @@ from typing import FrozenSet, Iterable, List
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
 from utterance_passes.trees.tree import DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
+from utterance_passes.trees.tree_patterns import Rehang, Sought, TreePattern, rehung
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -13,6 +14,12 @@ _PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _TO_PREPOSITIONS = word_class("to_prepositions")
 _ADVERB, _PREPOSITION = "ahead", "of"
+
+
+_UP_TO = TreePattern(
+    Sought("particle", deprel={"compound:prt"}, said=_PARTICLES_ON_THE_WAY),
+    Sought("to", "particle", ".", deprel={"case"}, said=_TO_PREPOSITIONS),
+)
 
 
 @tree_pass(
@@ -26,12 +33,7 @@ _ADVERB, _PREPOSITION = "ahead", "of"
 )
 def particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Turn a particle right before "to" into an adverb: "go up to the desk" does not mean "go up"."""
-    edit = TreeEdit(tree)
-    for word, following in zip(tree.words, tree.words[1:]):
-        is_to = following.form.lower() in _TO_PREPOSITIONS and following.deprel == "case"
-        if word.deprel == "compound:prt" and word.form.lower() in _PARTICLES_ON_THE_WAY and is_to:
-            edit.relabel(word.index, "advmod")
-    return edit.tree()
+    return rehung(tree, _UP_TO, Rehang("particle", "advmod"))
 
 
 @tree_pass(
@@ -48,9 +50,9 @@ def places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     bedroom*"."""
     edit = TreeEdit(tree)
     for particle in tree.words:
-        is_switch = particle.deprel == "compound:prt" and particle.form.lower() in ("on", "off")
+        is_switch = particle.deprel == "compound:prt" and particle.said in ("on", "off")
         # "Make the lights brighter in the hall": the parser may attach the place to the state.
-        is_state = particle.deprel == "xcomp" and particle.form.lower() in _CHANGED_STATES
+        is_state = particle.deprel == "xcomp" and particle.said in _CHANGED_STATES
         if not is_switch and not is_state:
             continue
         objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
@@ -65,9 +67,9 @@ def _phrases_at(
     tree: DependencyTree, words: Iterable[Word], position: int, prepositions: FrozenSet[str] = _PLACE_PREPOSITIONS
 ) -> List[Word]:
     """Return the words that head a phrase of a verb at a position, by default a phrase of place."""
-    if position > len(tree.words) or tree.word(position).form.lower() not in prepositions:
+    if position > len(tree.words) or tree.word(position).said not in prepositions:
         return []
-    return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
+    return [word for word in words if word.deprel == "obl" and tree.phrase_start(word.index) == position]
 
 
 @tree_pass(
@@ -90,8 +92,8 @@ def ahead_of(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """
     edit = TreeEdit(tree)
     for word, following in zip(tree.words, tree.words[1:]):
-        is_pair = word.form.lower() == _ADVERB and following.form.lower() == _PREPOSITION
-        noun = tree.word(following.head) if is_pair and following.head else None
+        is_pair = word.said == _ADVERB and following.said == _PREPOSITION
+        noun = tree.governor(following) if is_pair and following.head else None
         if noun is None or following.deprel != "case" or noun.index < following.index or word.deprel == "case":
             continue
         if noun.head == word.index:

@@ -56,18 +56,16 @@ def places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 def _told(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
     """Return the hearer, and who or what is where: an object and a place; nothing if it is no promise."""
     children = tree.children(verb.index)
-    subjects = [child for child in children if child.deprel == "nsubj" and child.form.lower() in _HEARERS]
-    modals = [child for child in children if child.deprel == "aux" and child.form.lower() in _MODALS]
-    objects = [child for child in children if child.deprel == "obj" and child.form.lower() in _SUBJECTS]
+    subjects = [child for child in children if child.deprel == "nsubj" and child.said in _HEARERS]
+    modals = [child for child in children if child.deprel == "aux" and child.said in _MODALS]
+    objects = [child for child in children if child.deprel == "obj" and child.said in _SUBJECTS]
     places = [child for child in children if child.deprel == "obl" and _is_place(tree, child)]
     is_promise = subjects and modals and subjects[0].index < modals[0].index and len(objects) == len(places) == 1
     return (subjects[0], objects[0], places[0]) if is_promise else ()
 
 
 def _is_place(tree: DependencyTree, word: Word) -> bool:
-    return any(
-        child.deprel == "case" and child.form.lower() in _PLACE_PREPOSITIONS for child in tree.children(word.index)
-    )
+    return any(child.said in _PLACE_PREPOSITIONS for child in tree.prepositions(word.index))
 
 
 def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place: Word) -> DependencyTree:
@@ -78,7 +76,7 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
             is_aside = child.deprel == "aux" or child.index == thing.index
             edit.rehang(child.index, place.index, ASIDE if is_aside else "")
     # The subject stands where the hearer was named, before its verb.
-    edit.respell(hearer.index, _SUBJECTS[thing.form.lower()])
+    edit.respell(hearer.index, _SUBJECTS[thing.said])
     edit.rehang(verb.index, place.index, "cop")
     edit.tag(verb.index, "AUX", "VBZ", "Mood=Ind|Tense=Pres|VerbForm=Fin")
     edit.respell(verb.index, "is", lemma="be")
@@ -102,20 +100,20 @@ def places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a goal of the place where something is: "show Bob *where it is*", "go *where Anna is*"."""
     edit = TreeEdit(tree)
     for where in tree.words:
-        verb = tree.word(where.head) if where.head else where
+        verb = tree.governor(where)
         children = tree.children(where.index)
         cases = [child for child in children if child.deprel == "case"]
         subjects = [child for child in children if child.deprel == "nsubj" and child.index > where.index]
-        copulas = [child for child in children if child.deprel == "cop" and child.form.lower() in _BEING_NOW]
-        is_where = where.form.lower() == "where" and (
+        copulas = [child for child in children if child.deprel == "cop" and child.said in _BEING_NOW]
+        is_where = where.said == "where" and (
             (_is_clause_at(verb, where) and verb.lemma.lower() in _SHOWING | _GOING)
-            or (where.deprel == "obl" and [case.form.lower() for case in cases] == ["to"])
+            or (where.deprel == "obl" and [case.said for case in cases] == ["to"])
         )
         if not is_where or len(subjects) != 1 or len(copulas) != 1:
             continue
         edit.rehang(subjects[0].index, verb.index, "obl")
-        if subjects[0].form.lower() in _OBJECTS:
-            edit.respell(subjects[0].index, _OBJECTS[subjects[0].form.lower()])
+        if subjects[0].said in _OBJECTS:
+            edit.respell(subjects[0].index, _OBJECTS[subjects[0].said])
         for child in (*children, where):
             if child in cases or (child is where and not cases):
                 edit.make_preposition(child.index, subjects[0].index)

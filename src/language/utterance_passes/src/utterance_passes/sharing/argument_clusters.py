@@ -49,7 +49,7 @@ def argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
     They become phrases of the verb, and the groups are marked: ``find_clauses`` turns each into a clause. If
     groups end alike but differ before that, their phrases get the relation ``dep``, which no unit knows.
     """
-    if not any(word.form.lower() in JOINING for word in tree.words):
+    if not any(word.said in JOINING for word in tree.words):
         return tree
     edit = TreeEdit(tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []
@@ -100,7 +100,7 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
 
 def _is_turn(group: Group) -> bool:
     """Whether a group is a side and nothing else: "take *a left* and then *a right*"."""
-    words = [word.form.lower() for phrase in group for word in phrase.words]
+    words = [word.said for phrase in group for word in phrase.words]
     return len(group) == 1 and words[:1] == ["a"] and words[1:] in _TURNS
 
 
@@ -111,7 +111,7 @@ def _particles_behind_and(tree: DependencyTree, clause: Clause) -> List[int]:
         for index in sorted(clause.positions)
         if (tree.word(index).deprel == "compound:prt" or _is_particle_of_verb(tree, clause, tree.word(index)))
         and index > clause.verb + 1
-        and tree.word(index - 1).form.lower() == "and"
+        and tree.word(index - 1).said == "and"
         and index + 1 in clause.positions
         and tree.word(index + 1).upos in _BEFORE_AN_OBJECT
     ]
@@ -164,7 +164,7 @@ def _ways(tree: DependencyTree, groups: Sequence[Group]) -> Optional[List[Group]
     ordered = [group[::-1] if group[0].kind is PhraseKind.NOUN else group for group in groups]
     is_way = all(
         [phrase.kind for phrase in group] == [PhraseKind.ADVERB, PhraseKind.NOUN]
-        and tree.word(group[0].head).form.lower() in _DIRECTIONS
+        and tree.word(group[0].head).said in _DIRECTIONS
         and _is_measure(tree, group[1])
         for group in ordered
     )

@@ -4,14 +4,13 @@ from typing import Optional
 
 from utterance_passes.engine.pass_needs import only_with_forms
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
-from utterance_passes.trees.tree import ASIDE, DependencyTree, Word
+from utterance_passes.trees.tree import ASIDE, NOUNS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ORDER = word_class("adverbs_of_order")
 _BORDERS = frozenset([",", "and", "then"])
-_NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of an item that the parser attaches to the verb or to another item.
 _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
 
@@ -47,22 +46,22 @@ def items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _item(tree: DependencyTree, adverb: Word) -> Optional[Word]:
     """Return the item of a list that begins with a word of order; None if there is none."""
-    if adverb.form.lower() not in _ORDER or not adverb.head or adverb.index < 3:
+    if adverb.said not in _ORDER or not adverb.head or adverb.index < 3:
         return None
-    item = tree.word(adverb.head)
+    item = tree.governor(adverb)
     children = tree.children(item.index)
-    if item.upos not in _NOUNS or item.index < adverb.index or item.deprel not in _OF_ITEMS:
+    if item.upos not in NOUNS or item.index < adverb.index or item.deprel not in _OF_ITEMS:
         return None
     if any(child.deprel in ("case", "cop") or child.deprel.startswith("nsubj") for child in children):
         return None
-    is_set_off = tree.word(adverb.index - 1).form.lower() in _BORDERS
+    is_set_off = tree.word(adverb.index - 1).said in _BORDERS
     return item if is_set_off else None
 
 
 def _item_before(tree: DependencyTree, item: Word, adverb: Word) -> Optional[Word]:
     """Return the item to which another item is attached: the object or the goal of its verb; None for another head."""
-    head = tree.word(item.head)
-    if head.upos in _NOUNS:
+    head = tree.governor(item)
+    if head.upos in NOUNS:
         return head
     said = [child for child in tree.children(head.index) if head.index < child.index < adverb.index]
     # "Bring Anna a cup, then Bob": a person is no second thing.

@@ -10,9 +10,8 @@ from utterance_passes.phrases.clauses import (
     is_then,
     may_share_a_verb,
     shares_a_verb,
-    verb_above,
 )
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit, mark_sharing_a_verb
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
@@ -45,7 +44,7 @@ def shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree
             edit.retag(word.index, first.upos)
             edit.rehang(word.index, clause.verb, first.deprel)
             for between in tree.words[first.index : word.index - 1]:
-                edit.rehang(between.index, word.index, "cc" if between.form.lower() == "and" else "advmod")
+                edit.rehang(between.index, word.index, "cc" if between.said == "and" else "advmod")
         for word in tree.children(clause.verb):
             if word.index not in sharing and shares_a_verb(tree, word):
                 sharing.add(word.index)
@@ -61,9 +60,9 @@ def _with_next_phrases_at_verbs(tree: DependencyTree) -> DependencyTree:
     """Attach a phrase with "then" to the verb, not to a noun before it: what comes next is no part of a list."""
     edit = TreeEdit(tree)
     for word in tree.words:
-        is_joined = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+        is_joined = word.deprel == "conj" and word.upos not in VERBS and has_case(tree, word)
         if is_joined and shares_a_verb(tree, word) and any(is_then(child) for child in tree.children(word.index)):
-            verb = verb_above(tree, word)
+            verb = tree.verb_above(word)
             if verb.upos == "VERB" and verb.index < word.index:
                 edit.rehang(word.index, verb.index)
     return edit.tree()
@@ -74,11 +73,11 @@ def particle_pairs(tree: DependencyTree, clause: Clause) -> List[Tuple[Word, Wor
     said = [word for word in tree.words if word.index in clause.positions and word.index > clause.verb]
     found = []
     for place, first in enumerate(said):
-        behind = [word for word in said[place + 1 :] if word.form.lower() not in _JOINING]
+        behind = [word for word in said[place + 1 :] if word.said not in _JOINING]
         if not behind or behind[0] is said[place + 1]:
             continue
         second = behind[0]
-        is_pair = any({first.form.lower(), second.form.lower()} <= words for words in _PAIRS)
+        is_pair = any({first.said, second.said} <= words for words in _PAIRS)
         # "Turn on the light and off the radio" has two objects.
         is_shared = first.index == clause.verb + 1 or behind[1:2] == [] or behind[1].upos in ("PUNCT", "ADV")
         if is_pair and is_shared and first.head == clause.verb:

@@ -43,7 +43,7 @@ def specified_items(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         items = _items(tree, things)
         if not items:
             continue
-        are_whole = all(item.form.lower() == _ONE for item in items)
+        are_whole = all(item.said == _ONE for item in items)
         if not are_whole or len(items) != _count(tree, things):
             for item in items:
                 edit.rehang(item.index, things.head, "dep")
@@ -68,7 +68,7 @@ def _items(tree: DependencyTree, things: Word) -> List[Word]:
         return []
     behind = [child for child in tree.children(things.index) if child.index > mark.index and child.upos != "PUNCT"]
     items = [child for child in behind if child.deprel in _OF_ITEMS and _is_described_alone(tree, child)]
-    starts = min((min(tree.subtree(item.index)) for item in items), default=0)
+    starts = min((tree.phrase_start(item.index) for item in items), default=0)
     is_next = starts in (mark.index, mark.index + 1) and tree.word(mark.index + 1).deprel != "cc"
     return items if is_next and behind == items else []
 
@@ -76,9 +76,9 @@ def _items(tree: DependencyTree, things: Word) -> List[Word]:
 def _is_described_alone(tree: DependencyTree, word: Word) -> bool:
     """Whether a word stands for a thing that its description alone tells: "a red *one*", "one *red*"."""
     children = tree.children(word.index)
-    if any(child.form.lower() in _NOT for child in children):
+    if any(child.said in _NOT for child in children):
         return False  # "Three cups, *not the red one*."
-    return any(child.deprel == "amod" for child in children) if word.form.lower() == _ONE else word.upos == "ADJ"
+    return any(child.deprel == "amod" for child in children) if word.said == _ONE else word.upos == "ADJ"
 
 
 def _count(tree: DependencyTree, things: Word) -> int:

@@ -13,7 +13,7 @@ from utterance_passes.phrases.amounts import SIGNS
 from utterance_passes.phrases.measures import Amount, find_amounts
 from utterance_passes.phrases.times import find_times
 from utterance_passes.trees.formula_file import is_filler, pattern_of
-from utterance_passes.trees.tree import ABANDONED, DependencyTree, Word
+from utterance_passes.trees.tree import ABANDONED, NOMINALS, NOUNS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import NotATree, TreeEdit, set_aside
 from utterance_passes.trees.vocabulary import Verbs, Vocabulary, is_verb
 from word_classes import word_class
@@ -86,7 +86,7 @@ def restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     said = [word for word in tree.words if not is_filler(word.form) and word.upos != "PUNCT"]
     for first, second in zip(said, said[1:]):
         is_restart = (
-            first.form.lower() == second.form.lower()
+            first.said == second.said
             and first.upos not in ("ADV", "ADJ", "INTJ")
             and (not _is_of_a_number(first) or _is_number_said_again(tree, first, second))
         )
@@ -106,7 +106,7 @@ def restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_of_a_number(word: Word) -> bool:
-    return word.upos == "NUM" or word.form.lower() in SIGNS
+    return word.upos == "NUM" or word.said in SIGNS
 
 
 def _is_number_said_again(tree: DependencyTree, first: Word, second: Word) -> bool:
@@ -118,7 +118,7 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
     """Find the first editing term after a command: the first and last word of the term and the words around it, and
     whether it takes something back even if nothing follows.
     """
-    forms = [word.form.lower() for word in tree.words]
+    forms = [word.said for word in tree.words]
     has_verb = False
     position = 0
     while position < len(forms):
@@ -163,15 +163,15 @@ def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind
     if len(terms) > 1 or behind == len(tree.words):
         return len(terms) > 1 or tree.words[first - 1].upos not in _BEFORE_NO_EDITING_TERM
     following = tree.words[behind]
-    if [word.form.lower() for word in tree.words[behind + 1 : behind + 2]] == ["than"]:
+    if [word.said for word in tree.words[behind + 1 : behind + 2]] == ["than"]:
         return False  # "No further than two metres" is a bound.
     if tree.words[first - 1].upos in ("DET", "ADP") and _is_verb(following, vocabulary):
         # "Bring me the no bring me the cup": nobody says "the no", so the phrase breaks off.
         return True
     if tree.words[first - 1].upos in _BEFORE_NO_EDITING_TERM:
         return False
-    is_determiner = following.upos in ("NOUN", "ADJ") or following.form.lower() in ("one", "body")
-    if tree.words[behind - 1].form.lower() == "no" and is_determiner:
+    is_determiner = following.upos in ("NOUN", "ADJ") or following.said in ("one", "body")
+    if tree.words[behind - 1].said == "no" and is_determiner:
         before = tree.words[:first]
         return any(_are_alternatives(word, following, before, vocabulary) for word in before)
     return True
@@ -183,7 +183,7 @@ def _is_verb(word: Word, vocabulary: Vocabulary) -> bool:
 
 def _are_alternatives(said: Word, corrected: Word, before: Sequence[Word], vocabulary: Vocabulary) -> bool:
     """Whether a unit of one of the verbs lists both words for the same element."""
-    pair = {said.form.lower(), corrected.form.lower()}
+    pair = {said.said, corrected.said}
     return any(
         pair <= set(listed)
         for verb in before
@@ -274,7 +274,7 @@ class _Repair:
     def _is_put_off(self, words: Sequence[Word]) -> bool:
         """Whether some words contain a condition or a time."""
         positions = frozenset(word.index for word in words)
-        return any(word.form.lower() in _CONDITIONS for word in words) or any(
+        return any(word.said in _CONDITIONS for word in words) or any(
             time & positions for time in find_times(self._tree)
         )
 
@@ -299,7 +299,7 @@ class _Repair:
                 for index, word in enumerate(self._before)
                 if word.upos == "ADP" and _name_at(self._before[index + 1 :])
             ]
-            same = [phrase for phrase in phrases if phrase[0].form.lower() == first.form.lower()]
+            same = [phrase for phrase in phrases if phrase[0].said == first.said]
             return ([first] + name if name else []), same or phrases
         name = _name_at(self._after)
         names = _names(self._before)
@@ -349,7 +349,7 @@ class _Repair:
         inside = {word.index for word in correction}
         top = old
         while top.head in dropped | inside:
-            top = self._tree.word(top.head)
+            top = self._tree.governor(top)
         verb = next((word for word in self._before if _is_verb(word, self._vocabulary) and word not in span), new)
         root = next(word for word in self._tree.words if word.head == 0)
         is_root_lost = top.head and (root.index in dropped or root in self._after)
@@ -385,7 +385,7 @@ def _head(words: Sequence[Word]) -> Word:
     """Return the head of some words: the last noun, or else the last word, whose own head is outside."""
     inside = {word.index for word in words}
     outer = [word for word in words if word.head not in inside]
-    nouns = [word for word in outer if word.upos in ("NOUN", "PROPN", "PRON")]
+    nouns = [word for word in outer if word.upos in NOMINALS]
     return (nouns or outer or list(words))[-1]
 
 
@@ -393,10 +393,10 @@ def _name_at(words: Sequence[Word]) -> List[Word]:
     """Return the name or noun phrase at the front of some words; empty if there is none."""
     found: List[Word] = []
     for word in words:
-        has_noun = any(other.upos in ("NOUN", "PROPN", "PRON") and other.xpos != "PRP$" for other in found)
+        has_noun = any(other.upos in NOMINALS and other.xpos != "PRP$" for other in found)
         is_genitive = word.xpos == "POS" or (bool(found) and found[-1].xpos == "POS")
         is_next = bool(found) and word.index != found[-1].index + 1
-        starts_anew = has_noun and not is_genitive and word.upos not in ("NOUN", "PROPN")
+        starts_anew = has_noun and not is_genitive and word.upos not in NOUNS
         after_genitive = any(other.xpos == "POS" for other in found) and word.upos in ("ADJ", "NUM")
         if is_next or word.upos not in _IN_NAMES + ("PART",) or (word.upos == "PART" and word.xpos != "POS"):
             break

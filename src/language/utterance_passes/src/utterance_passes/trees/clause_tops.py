@@ -29,6 +29,6 @@ def tops_of(tree: DependencyTree, verbs: Set[int]) -> Dict[int, int]:
 
 def _above_serial(tree: DependencyTree, top: int, verbs: Set[int]) -> int:
     """Return the verb that leads a clause inside a sentence: "the bell rings. *Go* and open the door"."""
-    verb = tree.word(tree.word(top).head) if tree.word(top).deprel == "conj" else tree.word(top)
+    verb = tree.governor(tree.word(top)) if tree.word(top).deprel == "conj" else tree.word(top)
     is_inside = verb.deprel in ("conj", "parataxis", "list") and verb.index not in verbs
     return verb.index if is_inside and verb.lemma.lower() in _LEADING_VERBS else top

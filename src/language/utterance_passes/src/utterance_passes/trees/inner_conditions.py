@@ -17,7 +17,7 @@ def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSe
     """
     for index in sorted(positions):
         word = tree.word(index)
-        marks = {child.form.lower() for child in tree.children(index) if child.deprel in ("mark", "advmod")}
+        marks = {child.said for child in tree.children(index) if child.deprel in ("mark", "advmod")}
         if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
             return tree.subtree(index)
     return frozenset()

@@ -3,7 +3,7 @@
 from typing import Sequence
 
 from semantic_types import Fit, shipped_types
-from utterance_passes.trees.tree import Word
+from utterance_passes.trees.tree import NOUNS, Word
 from word_classes import word_class
 
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
@@ -11,11 +11,11 @@ _INDEFINITE_PERSONS = word_class("indefinite_persons")
 
 def is_person(word: Word) -> bool:
     """Whether a word names a person, or any person: "the nurse", "Bob", "somebody"."""
-    if word.form.lower() in _INDEFINITE_PERSONS:
+    if word.said in _INDEFINITE_PERSONS:
         return True
-    if word.upos not in ("NOUN", "PROPN"):
+    if word.upos not in NOUNS:
         return False
-    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=word.upos == "PROPN")
+    types = shipped_types().of_noun([word.said, word.lemma.lower()], is_name=word.upos == "PROPN")
     return types.fit(["Human"]) is Fit.LIKELY
 
 
@@ -28,10 +28,10 @@ def is_name_of_person(word: Word) -> bool:
     """Whether a word is a person's name, or one of which nothing is known: "Mary" and "Anna", but not "Monday"."""
     if word.upos != "PROPN":
         return False
-    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=True)
+    types = shipped_types().of_noun([word.said, word.lemma.lower()], is_name=True)
     return types.fit(["Human"]) in (Fit.LIKELY, Fit.UNKNOWN)
 
 
 def is_likely(word: Word, types: Sequence[str]) -> bool:
     """Whether a noun usually has one of some types."""
-    return shipped_types().of_noun([word.form.lower(), word.lemma.lower()]).fit(types) is Fit.LIKELY
+    return shipped_types().of_noun([word.said, word.lemma.lower()]).fit(types) is Fit.LIKELY

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Dict, FrozenSet, Iterable, List, NamedTuple, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Set, Tuple
 
 from utterance_passes.trees.formula_file import is_filler
 
@@ -18,6 +18,12 @@ ASIDE = "discourse:aside"
 QUOTED = "flat:quoted"
 #: Relation to the correction for the words that the speaker took back, and for the editing term.
 ABANDONED = "reparandum"
+#: Parts of speech of words that name things and persons, and of words that stand for them.
+NOUNS = frozenset(["NOUN", "PROPN"])
+NOMINALS = NOUNS | {"PRON"}
+#: Parts of speech of what may head a noun phrase.
+PHRASE_HEADS = NOMINALS | {"NUM"}
+VERBS = frozenset(["VERB", "AUX"])
 QUOTATION_MARKS = frozenset(['"', "“", "”", "«", "»", "``", "''"])
 #: No blank stands before these.
 CLOSE_MARKS = ("'", "’", "n't", ",", ";", ":", ".", "!", "?")
@@ -50,6 +56,11 @@ class Word:
     deprel: str
     start_character: int = 0
     end_character: int = 0
+
+    @cached_property
+    def said(self) -> str:
+        """The word in lower case."""
+        return self.form.lower()
 
 
 class Alternative(NamedTuple):
@@ -131,13 +142,47 @@ class DependencyTree:
     def _subtrees(self) -> Dict[int, FrozenSet[int]]:
         return {}
 
+    def governor(self, word: Word) -> Word:
+        """Return the word on which a word hangs; the root is its own governor."""
+        return self.word(word.head) if word.head else word
+
+    def verb_above(self, word: Word) -> Word:
+        """Return the nearest verb above a word, or the word itself if it is one; the top word if there is none."""
+        while word.upos != "VERB" and word.head:
+            word = self.governor(word)
+        return word
+
+    def phrase_start(self, index: int) -> int:
+        """Return the position of the first word at or below the word at an index."""
+        return min(self.subtree(index))
+
+    def phrase_end(self, index: int) -> int:
+        """Return the position of the last word at or below the word at an index."""
+        return max(self.subtree(index))
+
+    def prepositions(self, index: int) -> Tuple[Word, ...]:
+        """Return the words with the relation ``case`` to the word at an index: "*from* *under* the table"."""
+        return tuple(child for child in self.children(index) if child.deprel == "case")
+
+    def said_prepositions(self, index: int) -> List[str]:
+        """Return the prepositions of the phrase of the word at an index, in lower case."""
+        return [child.said for child in self.prepositions(index)]
+
+    def preposition(self, index: int) -> str:
+        """Return the first preposition of the phrase of the word at an index; empty if it has none."""
+        return next(iter(self.said_prepositions(index)), "")
+
+    def subject(self, index: int) -> Optional[Word]:
+        """Return the first subject of the word at an index, of an active or a passive clause; None if it has none."""
+        return next((child for child in self.children(index) if child.deprel.startswith("nsubj")), None)
+
     def first_spoken(self, index: int) -> int:
         """Return the position of the first word at or below the word at an index that is no mark."""
         return min(inner for inner in self.subtree(index) if inner == index or self.word(inner).upos != "PUNCT")
 
     def is_next(self, index: int, before: int) -> bool:
         """Whether the phrase of the word at an index begins right behind the phrase of another word."""
-        return min(self.subtree(index)) == max(self.subtree(before)) + 1
+        return self.phrase_start(index) == self.phrase_end(before) + 1
 
     def has_copula_and_subject(self, index: int) -> bool:
         """Whether a word has a copula and a subject, which the copula may govern: "what *time* it is"."""
@@ -148,7 +193,7 @@ class DependencyTree:
 
     def is_infinitive(self, index: int) -> bool:
         """Whether "to" marks the verb at an index: "tell Bob *to come*"."""
-        return any(child.deprel == "mark" and child.form.lower() == "to" for child in self.children(index))
+        return any(child.deprel == "mark" and child.said == "to" for child in self.children(index))
 
     @cached_property
     def relations(self) -> FrozenSet[str]:
@@ -159,7 +204,7 @@ class DependencyTree:
     @cached_property
     def forms(self) -> FrozenSet[str]:
         """The words as they were written, in lower case."""
-        return frozenset(word.form.lower() for word in self.words)
+        return frozenset(word.said for word in self.words)
 
     @cached_property
     def lemmas(self) -> FrozenSet[str]:

@@ -319,7 +319,7 @@ def lasting(tree: DependencyTree, duration: DependencyTree) -> DependencyTree:
     first = len(tree.words)
     if tree.words[-1].upos == "PUNCT":
         edit.respell(first, ",")
-    edit.respell(first + 1, whole.word(first + 1).form.lower())
+    edit.respell(first + 1, whole.word(first + 1).said)
     for word in whole.words[first:]:
         if word.deprel == "parataxis" and word.head <= first:
             is_clause = any(child.deprel == "mark" for child in whole.children(word.index))
@@ -330,7 +330,7 @@ def lasting(tree: DependencyTree, duration: DependencyTree) -> DependencyTree:
 def _inside_sentence(word: Word) -> str:
     """Return the form of a word that no longer begins its sentence: "turn *the* lights off" for "*The* lights off"."""
     is_common = word.index == 1 and word.upos != "PROPN" and word.form.istitle() and word.form != "I"
-    return word.form.lower() if is_common else word.form
+    return word.said if is_common else word.form
 
 
 def behind_verb(
@@ -411,7 +411,7 @@ def continued(tree: DependencyTree, link: int, answer: DependencyTree) -> Depend
     """
     first = list(tree.words[:link])
     said = list(answer.words)
-    if len(said) > 1 and said[0].form.lower() == tree.word(link).form.lower():
+    if len(said) > 1 and said[0].said == tree.word(link).said:
         said.pop(0)
     kept = {word.index: link + place for place, word in enumerate(said, start=1)}
     head = next((kept[word.index] for word in said if word.head not in kept), link + 1)

@@ -53,7 +53,7 @@ class Vocabulary(Protocol):
 
 def is_verb(vocabulary: Vocabulary, word: Word) -> bool:
     """Whether a word, as it stands or in its base form, begins a verb of the lexicon."""
-    return any(vocabulary.verbs_beginning_with(spelling) for spelling in (word.form.lower(), word.lemma.lower()))
+    return any(vocabulary.verbs_beginning_with(spelling) for spelling in (word.said, word.lemma.lower()))
 
 
 @dataclass(frozen=True)

@@ -239,7 +239,7 @@ def _near(word: str) -> Iterator[str]:
 def as_written(tree: DependencyTree, word: Word) -> str:
     """Return a word as the person wrote it if it had a wrong letter; empty for other words."""
     written = tree.text[word.start_character : word.end_character]
-    form = word.form.lower()
+    form = word.said
     if len(written) < _SHORTEST or not written.isalpha() or written.lower() == form or not form.isalpha():
         return ""
     is_cut_off = len(written) > _SHORTEST and form.startswith(written.lower())

@@ -150,21 +150,21 @@ def _taught(tree: DependencyTree, known: FramedLexicon) -> Iterator[_Taught]:
         for clause in tree.children(root.index):
             if clause.deprel.startswith("advcl") and clause.index < root.index:
                 yield from _by_saying(tree, clause, known)
-        if root.form.lower() == _MEANS:
+        if root.said == _MEANS:
             yield from _by_meaning(tree, root)
 
 
 def _by_saying(tree: DependencyTree, clause: Word, known: FramedLexicon) -> Iterator[_Taught]:
     """Yield what "when I say ..." in front of a command teaches."""
     children = tree.children(clause.index)
-    marks = {one.index for one in children if one.form.lower() == _WHEN}
-    speakers = {one.index for one in children if one.deprel == "nsubj" and one.form.lower() in _SPEAKER}
+    marks = {one.index for one in children if one.said == _WHEN}
+    speakers = {one.index for one in children if one.deprel == "nsubj" and one.said in _SPEAKER}
     if not marks or not speakers or known.speech_of(clause.lemma.lower()) is None:
         return
     inside = tree.subtree(clause.index)
     said = _without_punctuation(tree, inside - marks - speakers - {clause.index})
     if any(tree.word(index).upos in _TAUGHT for index in said):
-        words = " ".join(tree.word(index).form.lower() for index in sorted(said))
+        words = " ".join(tree.word(index).said for index in sorted(said))
         commas = {one.index for one in tree.words if one.upos == "PUNCT" and one.index < max(inside) + 2}
         yield _Taught(said, words, rephrased(tree, inside | commas), is_only_taught=False)
 
@@ -179,9 +179,9 @@ def _by_meaning(tree: DependencyTree, root: Word) -> Iterator[_Taught]:
     subject, meaning = subjects[0], meanings[0]
     marks = _marks(tree, subject)
     said = _without_punctuation(tree, tree.subtree(subject.index) - marks)
-    if subject.upos != "VERB" and not any(tree.word(index).form.lower() == _TO for index in marks):
+    if subject.upos != "VERB" and not any(tree.word(index).said == _TO for index in marks):
         return
-    forms = {index: tree.word(index).form.lower() for index in said}
+    forms = {index: tree.word(index).said for index in said}
     words = " ".join(forms[index] if index != subject.index else subject.lemma.lower() for index in sorted(said))
     others = frozenset(word.index for word in tree.words) - (tree.subtree(meaning.index) - _marks(tree, meaning))
     yield _Taught(said, words, rephrased(tree, others, [meaning.lemma], meaning.index), is_only_taught=True)
@@ -230,7 +230,7 @@ def _forgotten(tree: DependencyTree, heard: Heard, context: Context, now: Now) -
             if verb.lemma.lower() != _TO_TEACH:
                 continue
             inside = sorted(_without_punctuation(tree, tree.subtree(verb.index)))
-            about = [index for index in inside if tree.word(index).form.lower() == _ABOUT]
+            about = [index for index in inside if tree.word(index).said == _ABOUT]
             if not about:
                 continue
             asked = [index for index in inside if index > about[-1]]

@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
 from checked_files.source_files import read_text
-from semantic_framer.filling.slight_amounts import slight_words
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import kind_without_clause
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.fragment_kind import FragmentKind
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.slight_amounts import slight_words
 from utterance_passes.asides.objections import plain
 from utterance_passes.phrases.clauses import Clause
 from utterance_passes.phrases.verb_matching import match_verbs

@@ -13,7 +13,7 @@ from word_classes import word_class
 
 #: How much "a bit" is.
 ASSUMED: Mapping[str, str] = {"length": "20 centimetres", "angle": "15 degrees"}
-_NOUNS = word_class("degrees")
+_DEGREES = word_class("degrees")
 _ADJECTIVES = word_class("degree_adjectives")
 _ADVERBS = word_class("slight_adverbs")
 _BEFORE = word_class("limiting_adverbs")
@@ -26,7 +26,7 @@ _NEXT = word_class("all_directions") | word_class("prepositions_behind_degrees")
 def slight_words(tree: DependencyTree, positions: Iterable[int]) -> Tuple[int, ...]:
     """Return the words among these that say that little is meant, without saying of what; none if there are none."""
     spoken = [index for index in sorted(positions) if tree.word(index).upos != "PUNCT"]
-    forms = [tree.word(index).form.lower() for index in spoken]
+    forms = [tree.word(index).said for index in spoken]
     for place in range(len(forms)):
         end = _end(forms, place)
         first = place - 1 if place and forms[place - 1] in _BEFORE else place
@@ -43,9 +43,9 @@ def _end(forms: Sequence[str], place: int) -> int:
         here += 1
     elif forms[here] in _ARTICLES:
         here += 1
-        while here + 1 < len(forms) and forms[here] in _ADJECTIVES and forms[here + 1] in _NOUNS:
+        while here + 1 < len(forms) and forms[here] in _ADJECTIVES and forms[here + 1] in _DEGREES:
             here += 1
-        if here == len(forms) or forms[here] not in _NOUNS:
+        if here == len(forms) or forms[here] not in _DEGREES:
             return 0
         here += 1
     else:

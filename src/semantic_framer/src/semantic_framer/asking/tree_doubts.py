@@ -8,20 +8,21 @@ from dataclasses import dataclass
 from typing import Callable, Dict, Iterator, Mapping, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clauses.readings import Heard
-from semantic_framer.filling.attachment import is_direction
-from semantic_framer.filling.matching import DIRECTIONAL, match_units
+from semantic_framer.filling.matching import match_units
+from semantic_framer.filling.relation_paths import DIRECTIONAL
 from semantic_framer.referring.persons_spoken_of import PERSONAL_PRONOUNS
 from semantic_framer.units.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.outcome import Understood
 from semantic_framer.values.reading import Reading, heads_of
 from semantic_framer.values.sentence import Sentence
+from semantic_framer.values.things import is_direction
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit, Likelihoods
 from typed_arguments import TypedArgument
-from utterance_passes.phrases.clauses import clause_of, prepositions_of
+from utterance_passes.phrases.clauses import clause_of
 from utterance_passes.phrases.verb_matching import match_verbs
-from utterance_passes.trees.tree import DependencyTree, Word
+from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 
 _EMBEDDED = frozenset(["acl", "acl:relcl"])
 #: Relations of clauses below a clause.
@@ -90,7 +91,7 @@ def _has_most_as_goal(case: _Case) -> bool:
     words = case.parsed.words
     phrases = {argument.head_position for _, argument in case.filled() if argument.measure is None}
     for before, preposition, number in zip(words, words[1:], words[2:]):
-        is_most = (before.form.lower(), preposition.form.lower()) == ("up", "to") and number.upos == "NUM"
+        is_most = (before.said, preposition.said) == ("up", "to") and number.upos == "NUM"
         if is_most and preposition.deprel == "case" and preposition.head in phrases:
             return True
     return False
@@ -110,7 +111,7 @@ def _has_unmarked_possessor(case: _Case) -> bool:
     for word in case.tree.words:
         is_marked = any(child.xpos == "POS" for child in case.tree.children(word.index))
         is_possessor = word.deprel == "nmod:poss"
-        if word.upos in ("NOUN", "PROPN") and is_possessor != is_marked and not case.tree.quoted & {word.index}:
+        if word.upos in NOUNS and is_possessor != is_marked and not case.tree.quoted & {word.index}:
             return True
     return False
 
@@ -126,12 +127,12 @@ def _has_phrase_of_no_unit(case: _Case) -> bool:
         phrases = [
             child.index
             for child in tree.children(word.index)
-            if child.index in inside and child.deprel == "obl" and prepositions_of(tree, child.index)
+            if child.index in inside and child.deprel == "obl" and tree.said_prepositions(child.index)
         ]
         directional = [
             one
             for one in phrases
-            if "_".join(prepositions_of(tree, one)) in DIRECTIONAL and not is_direction(tree, one)
+            if "_".join(tree.said_prepositions(one)) in DIRECTIONAL and not is_direction(tree, one)
         ]
         if not directional:
             continue
@@ -153,7 +154,7 @@ def _has_unlike_verbs(case: _Case) -> bool:
     tree = case.parsed
     for word in tree.words:
         if word.deprel == "conj" and word.xpos == "VB" and word.head and not _has_subject(tree, word):
-            governor = tree.word(word.head)
+            governor = tree.governor(word)
             children = tree.children(governor.index)
             is_stated = governor.xpos in _FINITE or any(child.deprel == "cop" for child in children)
             has_modal = any(child.xpos in ("MD", "TO") for child in children)
@@ -163,7 +164,7 @@ def _has_unlike_verbs(case: _Case) -> bool:
 
 
 def _has_subject(tree: DependencyTree, verb: Word) -> bool:
-    return any(child.deprel.startswith("nsubj") for child in tree.children(verb.index))
+    return tree.subject(verb.index) is not None
 
 
 def _messages(case: _Case) -> Iterator[Tuple[TypedArgument, TypedArgument]]:
@@ -182,16 +183,14 @@ def _has_addressee_again(case: _Case) -> bool:
         deeds = [word.index for word in words if word.deprel == "conj" and word.xpos == "VB"]
         for word in words:
             is_object = word.deprel in ("obj", "iobj", "obl") and word.head in deeds
-            is_meant = (
-                is_object and word.form.lower() in PERSONAL_PRONOUNS and hearer.head.lower() not in PERSONAL_PRONOUNS
-            )
+            is_meant = is_object and word.said in PERSONAL_PRONOUNS and hearer.head.lower() not in PERSONAL_PRONOUNS
             if is_meant and not _is_person_before(case, words, word):
                 return True
     return False
 
 
 def _is_person_before(case: _Case, words: Sequence[Word], pronoun: Word) -> bool:
-    before = [word.index for word in words if word.index < pronoun.index and word.upos in ("NOUN", "PROPN")]
+    before = [word.index for word in words if word.index < pronoun.index and word.upos in NOUNS]
     return any(case.sentence.types.of(index).fit(["Sentient"]) is Fit.LIKELY for index in before)
 
 
@@ -211,8 +210,8 @@ def _has_way_at_its_start(case: _Case) -> bool:
     """Whether the end of a way hangs on its start: "from *the sofa to the kitchen*"."""
     return any(
         word.deprel == "nmod"
-        and prepositions_of(case.tree, word.index) == ["to"]
-        and prepositions_of(case.tree, word.head) == ["from"]
+        and case.tree.said_prepositions(word.index) == ["to"]
+        and case.tree.said_prepositions(word.head) == ["from"]
         for word in case.tree.words
         if word.head
     )

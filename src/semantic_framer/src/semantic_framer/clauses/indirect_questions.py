@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Optional
 
+from semantic_framer.clauses.state_questions import asked_frame
 from semantic_framer.kinds.clause_features import features_among
-from semantic_framer.queries.state_questions import asked_frame
 from semantic_framer.units.frame_roles import MESSAGE, TELLING
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.reading import Reading
