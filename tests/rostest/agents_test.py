@@ -351,7 +351,12 @@ class TestAgents(unittest.TestCase):
                 # A person releases it, and the agent may move the robot again.
                 rospy.ServiceProxy("emergency_stop/release", Trigger)()
                 await until(lambda: not self.emergency[-1].is_engaged, "a person cannot release it")
+                # The nodes hear of it one after the other, and refuse truly until they have.
+                end_s = time.monotonic() + DEADLINE_S
                 result = told(await client.call_tool("nodding", {}))
+                while result["code"] == "EMERGENCY_STOP" and time.monotonic() < end_s:
+                    await asyncio.sleep(0.1)
+                    result = told(await client.call_tool("nodding", {}))
                 self.assertEqual(result["outcome"], "DONE", result)
 
         run(work)
