@@ -96,3 +96,12 @@ def test_table_of_words() -> None:
 def test_mistakes_are_found_by_line(old: str, new: str, expected: Tuple[str, int]) -> None:
     assert old in GOOD
     assert expected in problems(GOOD.replace(old, new))
+
+
+def test_constants_are_values_of_any_form() -> None:
+    text = GOOD.replace("    goal_timeout_s: 60\n", "    constants: {poses: [{x: 1.5}, {x: two}], fast: true}\n")
+    assert load_bindings(text, "bindings.yaml").bindings[0].constants == {
+        "poses": [{"x": 1.5}, {"x": "two"}],
+        "fast": True,
+    }
+    assert problems(GOOD.replace("goal_timeout_s: 60", "constants: [1]")) == (("WRONG_TYPE", 9),)
