@@ -1,5 +1,6 @@
 """Binding files and what is wrong with them."""
 
+from pathlib import Path
 from typing import Tuple
 
 import pytest
@@ -105,3 +106,11 @@ def test_constants_are_values_of_any_form() -> None:
         "fast": True,
     }
     assert problems(GOOD.replace("goal_timeout_s: 60", "constants: [1]")) == (("WRONG_TYPE", 9),)
+
+
+@pytest.mark.parametrize(
+    "path", sorted((Path(__file__).parents[2] / "config").glob("*.yaml")), ids=lambda path: path.name
+)
+def test_shipped_files_are_read(path: Path) -> None:
+    bindings = load_bindings(path.read_text("utf-8"), str(path)).bindings
+    assert bindings and all(stated_profile(one.statement) for one in bindings)
