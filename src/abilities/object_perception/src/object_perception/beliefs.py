@@ -37,7 +37,8 @@ class BeliefSettings(Parameters):
         tell_at: an object is told from this probability on
         forget_at: below this probability it is told to be missing
         missed_score: the probability that a thing is there after a look that should have shown it and did not
-        evidence_period_s: evidence counts once in this time, seconds
+        evidence_period_s: evidence counts once in this time, and a look that misses a thing only when no other one has
+            shown it for so long, seconds
         forget_after_s: what nobody saw for so long is told to be missing, seconds
         tell_moved_m: an object is told again when it has moved so far, metres
         tell_again_s: an object that stays is told again after this time, seconds
@@ -189,7 +190,9 @@ class Beliefs:
             self._merge(name, sighting, now_s)
             found.add(name)
         for name, belief in self._beliefs.items():
-            if name not in found and view.shows(_middle(belief.about)):
+            # A detector misses a thing now and then: no evidence between two sightings.
+            is_overdue = now_s - belief.seen_s >= self._settings.evidence_period_s
+            if name not in found and is_overdue and view.shows(_middle(belief.about)):
                 self._weigh(belief, self._settings.missed_score, now_s)
         return self._changes(now_s)
 

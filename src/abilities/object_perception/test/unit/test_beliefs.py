@@ -87,6 +87,13 @@ def test_images_that_follow_quickly_are_one_piece_of_evidence() -> None:
     assert watched.placed == ["camera/mug_1"]
 
 
+def test_a_detector_that_misses_now_and_then_loses_nothing() -> None:
+    watched = Watched(replace(SETTINGS, evidence_period_s=0.5))
+    for number in range(200):
+        watched.look(*([seen("mug", 1.0, 0.0)] if number % 5 == 0 else []))
+    assert watched.placed == ["camera/mug_1"] and not any(one.missing for one in watched.updates)
+
+
 def test_two_things_beside_each_other_stay_two() -> None:
     watched = Watched()
     for shift in (0.0, 0.02, -0.02, 0.01):
