@@ -12,7 +12,7 @@ from voice_recognition.offers import OfferFinder
 from voice_recognition.recogniser import model_dictionary
 from voice_recognition.sound_alike import SoundAlikes, variants
 from voice_recognition.spoken_language import Words, spoken_words
-from voice_recognition.spotting import stop_text
+from voice_recognition.spotting import CLEAR_DB, clearness_and_length, stop_text
 from voice_recognition.voice_words import voice_words
 from voice_recognition.whisper_client import NotHeard
 from voice_recognition.whisper_model import Sentence, Transcript
@@ -102,7 +102,7 @@ class WhisperEars:
     def hear(self, pcm: bytes) -> Heard:
         """Hear a command."""
         try:
-            return self._chosen(self._transcript(pcm))
+            return self._chosen(self._transcript(pcm), pcm)
         except NotHeard:
             return self._ears.hear(pcm)
 
@@ -124,7 +124,7 @@ class WhisperEars:
             answer = _answer(transcript, ways)
             if answer:
                 return Heard(Verdict.SURE, (), words, words, answer=answer)
-            command = self._chosen(transcript)
+            command = self._chosen(transcript, pcm)
         except NotHeard:
             return otherwise(pcm)
         if command.is_stop or command.verdict is Verdict.SURE:
@@ -169,7 +169,7 @@ class WhisperEars:
                 self._last = (pcm, self._hearer.hear(pcm, self._prompt))
             return self._last[1]
 
-    def _chosen(self, transcript: Transcript) -> Heard:
+    def _chosen(self, transcript: Transcript, pcm: bytes) -> Heard:
         if transcript.no_speech > NO_SPEECH or not transcript.sentences:
             return Heard(Verdict.NOTHING)
         heard = _spelled_once(transcript.sentences)
@@ -177,11 +177,19 @@ class WhisperEars:
         best = max(candidates, key=lambda one: one.weight)
         if best.meaning.sense >= Sense.COMMAND and not best.meaning.unknown and best.sentence is heard[0]:
             return choose(candidates)
-        more = self._more_meanings(heard)
+        more = {**self._more_meanings(heard), **self._meaning_by_grammar(pcm)}
         candidates += [
             Candidate(one, more[one.text], is_heard=False) for one in self._hearer.score(transcript.sound, list(more))
         ]
         return choose(candidates)
+
+    def _meaning_by_grammar(self, pcm: bytes) -> Dict[str, Meaning]:
+        """Return what pocketsphinx hears in noise: forced into a grammar of commands, it misses them less often."""
+        if clearness_and_length(pcm)[0] >= CLEAR_DB:
+            return {}
+        text = self._alikes.written(self._ears.hear(pcm).by_grammar)
+        meaning = self._reader.read(text) if text else Meaning(Sense.NONE)
+        return {text: meaning} if meaning.sense in (Sense.ASKED, Sense.COMMAND) else {}
 
     def _more_meanings(self, heard: Sequence[Sentence]) -> Dict[str, Meaning]:
         """Return what sounds like what was heard, where the robot makes something of it."""
