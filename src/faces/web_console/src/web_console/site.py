@@ -12,11 +12,11 @@ from tornado.httpserver import HTTPServer
 from tornado.web import Application, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from web_console.access import host_pattern, is_token
+from web_console.access import host_pattern, is_local, is_token
 from web_console.outbox import Outbox
 from web_console.page_files import PageFile, read_page
 from web_console.rate_limit import Rate, RateLimit
-from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Stop, read_request
+from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Sound, Stop, read_request, read_sound
 
 #: Beside the policy of `page_files`: in no frame of another page, and nothing told to another.
 HEADERS = {
@@ -34,6 +34,8 @@ PAGE_RATE = Rate(per_s=2.0, burst=8.0)
 ALL_RATE = Rate(per_s=5.0, burst=20.0)
 #: Stops come more often, but a flood of them must not keep the node from anything else.
 STOP_RATE = Rate(per_s=10.0, burst=20.0)
+#: Parts of sound of all pages: one page sends ten a second.
+SOUND_RATE = Rate(per_s=15.0, burst=30.0)
 #: A page that sends this many bad or too many messages is closed.
 _TOKEN_RATE = Rate(per_s=0.5, burst=5.0)
 _MOST_FAULTS = 50
@@ -103,7 +105,7 @@ class Site:
         cookie = hmac.new(settings.token.encode(), b"web_console", hashlib.sha256).hexdigest()
         self._shared = _Shared(settings, callbacks, files, policy, cookie)
         now_s = time.monotonic()
-        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("token", _TOKEN_RATE)):
+        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("sound", SOUND_RATE), ("token", _TOKEN_RATE)):
             self._shared.limits[name] = RateLimit(rate, now_s)
         self._server: Optional[HTTPServer] = None
 
@@ -298,9 +300,14 @@ class PageSocket(WebSocketHandler):
     def on_message(self, message: Union[str, bytes]) -> None:
         """The page asks for something."""
         try:
-            request = read_request(message, longest_text=self._shared.settings.longest_text)
+            request = self._read(message)
         except BadRequest as error:
             self._refuse(str(error))
+            return
+        if isinstance(request, Sound):
+            # What is too much is lost.
+            if self._shared.may("sound"):
+                self._shared.callbacks.on_request(request)
             return
         if isinstance(request, Stop):
             is_allowed = self._shared.may("stop")
@@ -310,6 +317,18 @@ class PageSocket(WebSocketHandler):
             self._shared.callbacks.on_request(request)
         else:
             self._refuse("That was too fast. Please wait a second.")
+
+    def _read(self, message: Union[str, bytes]) -> Request:
+        """Read a message.
+
+        Raises:
+            BadRequest: it is no request, or a sound from where other machines can be
+        """
+        if isinstance(message, str):
+            return read_request(message, longest_text=self._shared.settings.longest_text)
+        if not is_local(self._shared.settings.address):
+            raise BadRequest("Only a page that no other machine can open may send sound.")
+        return read_sound(message)
 
     def _refuse(self, reason: str) -> None:
         self._faults += 1

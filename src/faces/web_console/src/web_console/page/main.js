@@ -4,6 +4,7 @@ import { drawMind } from "./mind.js";
 import { tick } from "./dom.js";
 import { Ground } from "./ground.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
+import { Microphone } from "./microphone.js";
 import { Talk } from "./talk.js";
 
 const MOST_COMMANDS = 50;
@@ -19,7 +20,7 @@ let status = { sentence: "", active: [] };
 let stop = { number: 0, state: "", sentence: "" };
 
 const ground = new Ground(byId("ground"), byId("ground-text"), byId("ground-card"));
-const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose });
+const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose, listen: () => ask({ verb: "listen" }) });
 
 function ask(request) {
   if (socket && socket.readyState === WebSocket.OPEN) {
@@ -27,6 +28,20 @@ function ask(request) {
     return true;
   }
   return false;
+}
+
+const microphone = new Microphone((part) => {
+  if (socket && socket.readyState === WebSocket.OPEN) socket.send(part);
+});
+
+async function turnMicrophone() {
+  try {
+    await (microphone.isOn ? microphone.end() : microphone.begin());
+  } catch (error) {
+    await microphone.end();
+    say(`The microphone of this computer cannot be used: ${error.message}`, "bad");
+  }
+  byId("microphone").setAttribute("aria-pressed", String(microphone.isOn));
 }
 
 function choose(id) {
@@ -90,6 +105,7 @@ const views = {
   stop: showStop,
   emergency: showEmergency,
   notice: (view) => say(view.text, "bad"),
+  voice(view) { talk.hear(view); byId("microphone").hidden = !(view.takes_sound && microphone.isThere); },
   unheard(view) { if (view) say(`Nobody heard "${view}": command_server is not there. Is the pipeline up?`, "bad"); },
 };
 
@@ -130,6 +146,7 @@ function showEmergency(view) {
   byId("held-text").textContent = view.sentence;
 }
 
+byId("microphone").addEventListener("click", turnMicrophone);
 byId("stop").addEventListener("click", () => stopRobot());
 byId("emergency").addEventListener("click", () => stopRobot("emergency_stop"));
 byId("release").addEventListener("click", () => {
