@@ -291,6 +291,10 @@ class _Utterance:
             if choice is None:
                 return None
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
+            if pending.idioms:
+                meant_deed = pending.idioms[pending.readings.index(choice)]
+                outcome, after = resolve_and_confirm(((meant_deed,),), meant, context, self._now)
+                return Heard(outcome, after, meant, is_answer=True)
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
                 return Heard(*ask_which(picked, context, self._now))

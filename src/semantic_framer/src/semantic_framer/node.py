@@ -96,7 +96,8 @@ class SemanticFramer:
         fleet (Fleet, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
-        lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
+        lexicon (Lexicon, latched), learned_frames (FrameCatalogue, latched), file_problems (FileProblems, latched),
+        stage_events (StageEvent)
     Services:
         add_lexical_unit
     Parameters: see :class:`semantic_framer.settings.Settings`.
@@ -121,12 +122,14 @@ class SemanticFramer:
         self._shared = SharedLexicon(settings, place, self._lock)
         self._lexicon = self._shared.units
         self._likeness = Likeness()
+        self._learned_frames = rospy.Publisher("learned_frames", FrameCatalogue, queue_size=1, latch=True)
         self._learning = Learning(
             os.path.expanduser(settings.learned_file or default_learned_file()),
             self._lexicon,
             self._shared.files,
             warn=rospy.logwarn,
             now=time.time,
+            tell_frames=self._tell_learned_frames,
         )
         rospy.on_shutdown(self._learning.close)
         self._subscribers = [
@@ -155,6 +158,10 @@ class SemanticFramer:
         if self._shared.problem_count:
             return Health(Level.WARN, f"Problems in files: {self._shared.problem_count}; see file_problems.", values)
         return Health(values=values)
+
+    def _tell_learned_frames(self, texts: Mapping[str, str]) -> None:
+        files = [SourceFile(path=path, text=text) for path, text in texts.items()]
+        self._learned_frames.publish(FrameCatalogue(files=files))
 
     def _on_fleet(self, message: Fleet) -> None:
         named: Dict[str, Sequence[str]] = {robot.name: robot.spoken_names for robot in message.robots}
@@ -260,19 +267,20 @@ class SemanticFramer:
         talk = self._talk(command.robot)
         with self._lock:
             while True:
-                frames = self._frames
+                frames, names = self._frames, self._learning.names
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
                     FramedLexicon(
                         self._lexicon,
                         frames,
-                        self._shared.names.types,
+                        names.types_with(self._shared.names.types),
                         self._heeded_by(talk, command.robot),
-                        self._world,
+                        names.world_with(self._world),
                         self._speaker,
                         likeness=self._likeness,
                         declined=self._learning.declined,
+                        taught=names,
                     ),
                     context=talk.context,
                     policy=self._settings.policy,
