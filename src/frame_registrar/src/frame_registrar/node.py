@@ -147,8 +147,8 @@ class FrameRegistrar:
         return AddFrameResponse(success=is_added)
 
     def _on_learned(self, message: FrameCatalogue) -> None:
-        self._files.set_learned(message.files)
-        self._publish_servers()
+        if self._files.set_learned(message.files):
+            self._publish_servers()
 
     def _on_get_empty_frame(self, request: GetEmptyFrameRequest) -> GetEmptyFrameResponse:
         frame = self._graph.frame(request.frame_name)

@@ -69,8 +69,8 @@ class FrameFiles:
                 self.publish()
         return is_added
 
-    def set_learned(self, files: Sequence[SourceFile]) -> None:
-        """Put the frames that persons have taught in the place of the earlier ones.
+    def set_learned(self, files: Sequence[SourceFile]) -> bool:
+        """Put the frames that persons have taught in the place of the earlier ones; return whether any has changed.
 
         Args:
             files: the text of each under the path by which it is known; no such files lie there
@@ -86,6 +86,7 @@ class FrameFiles:
             self._learned = texts
             if changed or gone:
                 self.publish()
+            return bool(changed or gone)
 
     def _remove(self, path: str) -> None:
         with self._lock:

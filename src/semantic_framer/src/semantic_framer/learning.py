@@ -1,6 +1,6 @@
 """Learns from answers: keeps what a yes or a no teaches, and gives the lexicon what is kept."""
 
-from typing import Callable, Dict, FrozenSet, Iterable, Mapping, Optional, Tuple
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from nearest_meaning.learned import KIND, PLACE, Declined, LearnedUnit, name_in_words, name_of
 from nearest_meaning.learned_file import LearnedFile
@@ -26,7 +26,7 @@ class Learning:
         *,
         warn: Callable[[str], None],
         now: Callable[[], float],
-        tell_frames: Callable[[Mapping[str, str]], None] = lambda texts: None,
+        tell: Callable[[Tuple[LearnedUnit, ...]], None] = lambda units: None,
     ) -> None:
         """
         Args:
@@ -35,12 +35,10 @@ class Learning:
             files: gives the lexicon what is learned
             warn: told what is wrong with the file
             now: the time, seconds since 1970
-            tell_frames: told the texts of the frames of sequences, by the paths under which they are known, when they
-                have changed
+            tell: told all that is learned, when it has changed
         """
         self._lexicon, self._files, self._warn, self._now = lexicon, files, warn, now
-        self._tell_frames = tell_frames
-        self._frames: Dict[str, str] = {}
+        self._tell = tell
         self._names = TaughtNames()
         self._file: Optional[LearnedFile] = None
         self._version = -1
@@ -76,10 +74,7 @@ class Learning:
         for problem in file.problems[self._told :]:
             self._warn(problem)
         self._told = len(file.problems)
-        frames = {unit.path: unit.frame_text for unit in units if unit.frame_text}
-        if frames != self._frames:
-            self._frames = frames
-            self._tell_frames(frames)
+        self._tell(units)
         # What was taught last counts.
         kinds = {unit.said: unit.verb for unit in units if unit.frame_name == KIND}
         places = {unit.said: unit.verb for unit in units if unit.frame_name == PLACE}

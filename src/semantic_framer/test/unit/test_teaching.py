@@ -323,6 +323,13 @@ def test_what_was_taught_is_forgotten_by_its_words(known: Any, parser: Any) -> N
         assert isinstance(refused.outcome, Refusal) and refused.outcome.code == "NOT_LEARNED" and not refused.lessons
 
 
+def test_who_is_not_to_forget_forgets_nothing(known: Any, parser: Any) -> None:
+    wiser = with_lessons(known, *taught("When I say dismissed, go to the charger.", known, parser))
+    assert said("Do not forget what I taught you about dismissed.", wiser, parser).lessons == ()
+    named = said('Forget what I taught you about "dismissed".', wiser, parser)
+    assert [(one.said, one.is_forgotten) for one in named.lessons] == [("dismissed", True)]
+
+
 def test_an_agent_teaches_and_forgets_nothing(known: Any, parser: Any) -> None:
     wiser = with_lessons(known, *taught("When I say dismissed, go to the charger.", known, parser))
     for text in ("To freshen up means to open the window.", "Forget what I taught you about dismissed."):

@@ -40,6 +40,15 @@ class LearnedUnit:
         return f"learned/{self.name}.yaml"
 
     @property
+    def meaning(self) -> str:
+        """What the words mean, as a sentence."""
+        if self.frame_name == KIND:
+            return f'"{self.said}" is a kind of "{self.verb}"'
+        if self.frame_name == PLACE:
+            return f'"{self.said}" is a name of the place {self.verb}'
+        return f'"{self.said}" means "{self.verb}"'
+
+    @property
     def unit_text(self) -> str:
         """The text of its lexical unit file; empty for a kind or a place."""
         return self.text.partition(_BETWEEN)[0]

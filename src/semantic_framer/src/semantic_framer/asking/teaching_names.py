@@ -66,7 +66,7 @@ def _kind(tree: DependencyTree, subject: Word, root: Word, known: FramedLexicon)
     upper = root
     if root.lemma.lower() in _KIND_NOUNS:
         named = [one for one in tree.children(root.index) if one.deprel == "nmod"]
-        if len(named) != 1 or not any(one.form.lower() == _OF for one in tree.children(named[0].index)):
+        if len(named) != 1 or not any(one.said == _OF for one in tree.children(named[0].index)):
             return None
         upper = named[0]
     elif any(one.deprel == "nmod" for one in tree.children(root.index)):
@@ -116,7 +116,7 @@ def _determiner_positions(tree: DependencyTree, noun: Word) -> FrozenSet[int]:
 
 
 def _determiners(tree: DependencyTree, noun: Word) -> FrozenSet[str]:
-    return frozenset(tree.word(index).form.lower() for index in _determiner_positions(tree, noun))
+    return frozenset(tree.word(index).said for index in _determiner_positions(tree, noun))
 
 
 def _has_owner(tree: DependencyTree, noun: Word) -> bool:
@@ -131,4 +131,4 @@ def _name_positions(tree: DependencyTree, noun: Word) -> FrozenSet[int]:
 def _noun(tree: DependencyTree, noun: Word) -> str:
     """Return a noun with the words before it, in the singular: "coffee mug"."""
     before: Sequence[int] = sorted(_name_positions(tree, noun) - {noun.index})
-    return " ".join([*(tree.word(index).form.lower() for index in before), noun.lemma.lower()])
+    return " ".join([*(tree.word(index).said for index in before), noun.lemma.lower()])

@@ -44,6 +44,7 @@ _MARKS = frozenset(["mark", "aux", "case", "punct"])
 #: Relations that a parser gives "to freshen up" before "means".
 _SUBJECTS = frozenset(["csubj", "nsubj", "advcl", "obl"])
 _DETERMINERS = word_class("determiners_and_possessives")
+_NEGATIONS = word_class("negations")
 #: So many deeds may be a sequence.
 MOST_STEPS = 12
 
@@ -295,20 +296,18 @@ def _said(reading: Reading, name: str) -> str:
 
 
 def _forgotten(tree: DependencyTree, heard: Heard, context: Context, now: Now) -> Optional[Heard]:
-    """Return what comes of "forget what I taught you about ..."; None for another sentence."""
-    for root in tree.words:
-        if root.head or root.lemma.lower() != _TO_FORGET:
-            continue
-        for verb in tree.children(root.index):
-            if verb.lemma.lower() != _TO_TEACH:
-                continue
-            inside = sorted(_without_punctuation(tree, tree.subtree(verb.index)))
-            about = [index for index in inside if tree.word(index).said == _ABOUT]
-            if not about:
-                continue
-            asked = [index for index in inside if index > about[-1]]
-            return _forgetting(asked, tree, heard, replace(context, pending=None), now)
-    return None
+    """Return what comes of "forget what I taught you about ..."; None for another sentence.
+
+    Words that are taught, "make your way", are only named here, and a parser hangs them on anything.
+    """
+    said = [word for word in tree.words if word.upos != "PUNCT"]
+    places = {one.lemma.lower(): place for place, one in reversed(tuple(enumerate(said)))}
+    order = [places.get(lemma, -1) for lemma in (_TO_FORGET, _TO_TEACH, _ABOUT)]
+    is_asked = -1 < order[0] < order[1] < order[2] < len(said) - 1 and (order[0] == 0 or not said[order[0]].head)
+    if not is_asked or any(one.said in _NEGATIONS for one in said[: order[0]]):
+        return None
+    asked = [one.index for one in said[order[2] + 1 :]]
+    return _forgetting(asked, tree, heard, replace(context, pending=None), now)
 
 
 def _forgetting(positions: Sequence[int], tree: DependencyTree, heard: Heard, context: Context, now: Now) -> Heard:

@@ -10,7 +10,7 @@ import sys
 from datetime import datetime, timezone
 from typing import Iterator, List
 
-from nearest_meaning.learned import KIND, PLACE, LearnedUnit
+from nearest_meaning.learned import LearnedUnit
 from nearest_meaning.learned_file import LearnedFile, default_learned_file
 from roboframenet_ros.sqlite_file import StoreError
 
@@ -100,15 +100,8 @@ def _described(unit: LearnedUnit) -> str:
     when = datetime.fromtimestamp(unit.when_s, timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
     who = f" by {unit.who}" if unit.who else ""
     said = " ".join(unit.sentence.split())
-    return f'{_meaning(unit)}; taught{who} on {when} in "{said}"'
-
-
-def _meaning(unit: LearnedUnit) -> str:
-    if unit.frame_name == KIND:
-        return f'"{unit.said}" is a kind of "{unit.verb}"'
-    if unit.frame_name == PLACE:
-        return f'"{unit.said}" is a name of the place {unit.verb}'
-    return f'"{unit.said}" means "{unit.verb}" ({unit.frame_name})'
+    frame = f" ({unit.frame_name})" if unit.unit_text else ""
+    return f'{unit.meaning}{frame}; taught{who} on {when} in "{said}"'
 
 
 def learned_units(path: str = "") -> List[LearnedUnit]:
