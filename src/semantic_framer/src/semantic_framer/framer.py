@@ -33,7 +33,7 @@ from semantic_framer.sentences.linked_sentence import (
     understand_linked,
 )
 from semantic_framer.sentences.plain_sentence import embedded_question, understand_plain
-from semantic_framer.sentences.teaching import agreed, known_by_heart, taught_in_words
+from semantic_framer.sentences.teaching import agreed, idiom_chosen, known_by_heart, taught_in_words
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.dialogue import Context, LastQuestion, Pending, is_no
@@ -292,9 +292,7 @@ class _Utterance:
                 return None
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             if pending.idioms:
-                meant_deed = pending.idioms[pending.readings.index(choice)]
-                outcome, after = resolve_and_confirm(((meant_deed,),), meant, context, self._now)
-                return Heard(outcome, after, meant, is_answer=True)
+                return idiom_chosen(pending, choice, meant, context, self._now)
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
                 return Heard(*ask_which(picked, context, self._now))

@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from typing import Tuple
 
-from roboframenet_msgs.msg import Learned
-
 
 @dataclass(frozen=True)
 class LearnedItemView:
@@ -33,19 +31,3 @@ class LearnedView:
 
     items: Tuple[LearnedItemView, ...] = ()
     more: int = 0
-
-
-def learned_view(message: Learned) -> LearnedView:
-    """Return what was taught."""
-    items = (
-        LearnedItemView(
-            said=one.said,
-            meaning=one.meaning,
-            who=one.who,
-            when_s=one.stamp.to_sec(),
-            sentence=one.sentence,
-            forgets=f'Forget what I taught you about "{one.said}".',
-        )
-        for one in message.items
-    )
-    return LearnedView(tuple(items), int(message.left_out))

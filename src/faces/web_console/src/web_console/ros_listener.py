@@ -23,10 +23,10 @@ from std_msgs.msg import String
 
 from web_console.board import Board
 from web_console.history import History
-from web_console.learned import learned_view
 from web_console.ros_hearing import show
 from web_console.ros_values import (
     clause_views,
+    learned_view,
     orders_view,
     parsed_words,
     plan_view,

@@ -5,7 +5,8 @@ import json
 import rospy
 from roboframenet_msgs.msg import Learned, LearnedItem
 
-from web_console.learned import LearnedItemView, LearnedView, learned_view
+from web_console.learned import LearnedItemView, LearnedView
+from web_console.ros_values import learned_view
 from web_console.views import as_json
 
 WAY = LearnedItem(

@@ -188,6 +188,13 @@ def known_by_heart(heard: Heard, context: Context, now: Now) -> Heard:
     return Heard(outcome, after, heard.sentence)
 
 
+def idiom_chosen(pending: Pending, choice: Choice, said: Sentence, context: Context, now: Now) -> Heard:
+    """Return what comes of the choice among the meanings that persons taught."""
+    idiom = pending.idioms[pending.readings.index(choice)]
+    outcome, after = resolve_and_confirm(((idiom,),), said, context, now)
+    return Heard(outcome, after, said, is_answer=True)
+
+
 def _choices(
     readings: Sequence[Reading], sentence: Sentence, known: FramedLexicon
 ) -> Tuple[Tuple[Reading, Choice], ...]:
