@@ -173,7 +173,7 @@ class LearningTest(unittest.TestCase):
         self.assert_done(words, of_words, robot=GUEST)
 
     def test_5_a_second_robot_takes_over_all_of_it(self) -> None:
-        own = f"{self.file()}.guest"
+        own = f"{self.file()}.{GUEST.strip('/')}"
         subprocess.run(["rfn", "import-learned", self.file(), "--file", own], check=True, timeout=60)
         for _, other, frame, _ in self.by_a_yes:
             with self.subTest(other):

@@ -48,7 +48,7 @@ def taught_name(tree: DependencyTree, known: FramedLexicon) -> Optional[TaughtNa
         return None
     (root,) = roots
     children = tree.children(root.index)
-    subjects = [one for one in children if one.deprel == "nsubj"]
+    subjects = [one for one in children if one.deprel == "nsubj" and one.upos in ("NOUN", "PROPN")]
     copulas = [one for one in children if one.deprel == "cop" and one.lemma.lower() == "be"]
     if len(subjects) != 1 or len(copulas) != 1 or not subjects[0].index < copulas[0].index < root.index:
         return None
