@@ -288,11 +288,9 @@ class _Utterance:
         tree, known, policy = meant.tree, self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
-            if choice is None:
-                return None
+            if choice is None or pending.idioms:
+                return None if choice is None else idiom_chosen(pending, choice, meant, context, self._now)
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
-            if pending.idioms:
-                return idiom_chosen(pending, choice, meant, context, self._now)
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
                 return Heard(*ask_which(picked, context, self._now))

@@ -191,6 +191,7 @@ def known_by_heart(heard: Heard, context: Context, now: Now) -> Heard:
 def idiom_chosen(pending: Pending, choice: Choice, said: Sentence, context: Context, now: Now) -> Heard:
     """Return what comes of the choice among the meanings that persons taught."""
     idiom = pending.idioms[pending.readings.index(choice)]
+    now.write("answer", said.tree.text, f'chooses "{choice.text}"')
     outcome, after = resolve_and_confirm(((idiom,),), said, context, now)
     return Heard(outcome, after, said, is_answer=True)
 
