@@ -172,6 +172,29 @@ class WebConsoleTest(unittest.TestCase):
         voice["state"].publish("")
         wait_until(lambda: not is_offered() and self.page.texts("#heard") == [""])
 
+    def test_3_what_was_taught_is_listed_and_forgotten(self) -> None:
+        self.page.say("When I say dismissed, turn left 10 degrees.")
+        self.assertEqual(self.page.reply(), "NEEDS_INFORMATION")
+        self.assertEqual(self.page.texts("#answers button"), ["Yes", "No"])
+        self.page.click("#answers button", "Yes")
+        wait_until(lambda: self.page.texts("#learned b") == ['"dismissed" means "turn left 10 degrees"'])
+        self.page.say("Gyrate left 20 degrees.")
+        self.assertEqual(self.page.reply(), "NEEDS_INFORMATION")
+        self.page.click("#answers button", "Yes")
+        wait_until(lambda: self.page.texts("#learned b")[:1] == ['"gyrate" means "turn"'], message=self.learned)
+        self.page.say("Dismissed!")
+        self.assertEqual(self.page.reply(), "DONE")
+        while self.page.texts("#learned button"):
+            count = len(self.learned())
+            self.page.click("#learned button", "Forget")
+            wait_until(lambda before=count: len(self.learned()) < before, message=self.learned)
+        self.assertFalse(self.page.find("#learned-card")[0].is_displayed())
+        self.page.say("Dismissed!")
+        self.assertEqual(self.page.reply(), "REFUSED")
+
+    def learned(self) -> List[str]:
+        return self.page.texts("#learned b")
+
     def test_4_stop_button_stops(self) -> None:
         self.page.say("Move forward 10 metres.")
         wait_until(lambda: self.speed > 0.1, message="the robot does not move")

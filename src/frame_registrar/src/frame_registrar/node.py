@@ -14,6 +14,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     Fleet,
     FrameCallback,
+    FrameCatalogue,
     FrameServers,
     Plan,
     PlanNode,
@@ -81,7 +82,7 @@ class FrameRegistrar:
     """Keeps the graph of frames, and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
-        command_lexical_units (CommandLexicalUnits), fleet (Fleet, latched)
+        command_lexical_units (CommandLexicalUnits), fleet (Fleet, latched), learned_frames (FrameCatalogue, latched)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
         frame_servers (FrameServers, latched), stage_events (StageEvent);
@@ -110,6 +111,7 @@ class FrameRegistrar:
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
         )
         self._fleet = rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1)
+        self._learned = rospy.Subscriber("learned_frames", FrameCatalogue, self._on_learned, queue_size=1)
         self._services = [
             rospy.Service("add_frame", AddFrame, self._on_add_frame),
             rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
@@ -143,6 +145,10 @@ class FrameRegistrar:
         if is_added:
             self._publish_servers()
         return AddFrameResponse(success=is_added)
+
+    def _on_learned(self, message: FrameCatalogue) -> None:
+        if self._files.set_learned(message.files):
+            self._publish_servers()
 
     def _on_get_empty_frame(self, request: GetEmptyFrameRequest) -> GetEmptyFrameResponse:
         frame = self._graph.frame(request.frame_name)

@@ -1,7 +1,7 @@
 """The files of frames: reads them into the graph, and tells their texts and their problems."""
 
 import threading
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, SourceFile
@@ -37,6 +37,7 @@ class FrameFiles:
         self._texts: Dict[str, str] = {}
         self._name_of_file: Dict[str, str] = {}
         self._problems: Tuple[Problem, ...] = ()
+        self._learned: Dict[str, str] = {}
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         place.problems.advertise()
 
@@ -68,6 +69,33 @@ class FrameFiles:
                 self.publish()
         return is_added
 
+    def set_learned(self, files: Sequence[SourceFile]) -> bool:
+        """Put the frames that persons have taught in the place of the earlier ones; return whether any has changed.
+
+        Args:
+            files: the text of each under the path by which it is known; no such files lie there
+        """
+        with self._adding:
+            texts = {file.path: file.text for file in files}
+            changed = [path for path, text in texts.items() if self._learned.get(path) != text]
+            gone = [path for path in self._learned if path not in texts]
+            for path in gone:
+                self._remove(path)
+            for path in changed:
+                self._add(path, texts[path])
+            self._learned = texts
+            if changed or gone:
+                self.publish()
+            return bool(changed or gone)
+
+    def _remove(self, path: str) -> None:
+        with self._lock:
+            frame = self._graph.frame(self._name_of_file.pop(path, ""))
+            if frame is not None and frame.path == path:
+                self._graph.remove(frame.name)
+            self._texts.pop(path, None)
+        self._tell_problems(path, ())
+
     def publish(self) -> None:
         """Tell the texts of all files."""
         # Under the lock: the later of two changes must stay latched.
@@ -75,23 +103,26 @@ class FrameFiles:
             files = [SourceFile(path=path, text=text) for path, text in self._texts.items()]
             self._catalogue.publish(FrameCatalogue(registrar_id=self._id, files=files))
 
-    def _add(self, path: str) -> bool:
-        """Add one file; its problems are logged and published."""
+    def _add(self, path: str, text: Optional[str] = None) -> bool:
+        """Add one file, which is read if its text is not given; its problems are logged and published."""
         problems: Tuple[Problem, ...] = ()
         try:
             # Commands need the lock, so the file is read before.
-            text = read_text(path)
+            text = read_text(path) if text is None else text
             frame = load_frame(text, path)
             with self._lock:
                 self._add_frame(frame)
                 self._texts[path] = text
         except FileRefused as refused:
             problems = refused.problems
+        self._tell_problems(path, problems)
+        return not problems
+
+    def _tell_problems(self, path: str, problems: Tuple[Problem, ...]) -> None:
         for problem in problems:
             rospy.logerr("refused: %s", problem)
         self._problems = replace_problems(self._problems, path, problems)
         self._place.problems.publish("frame_registrar", to_file_problems(self._problems))
-        return not problems
 
     def _add_frame(self, frame: SemanticFrame) -> None:
         before = self._graph.frame(frame.name)

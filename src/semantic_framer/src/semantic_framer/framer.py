@@ -33,7 +33,7 @@ from semantic_framer.sentences.linked_sentence import (
     understand_linked,
 )
 from semantic_framer.sentences.plain_sentence import embedded_question, understand_plain
-from semantic_framer.sentences.teaching import agreed, known_by_heart, taught_in_words
+from semantic_framer.sentences.teaching import agreed, idiom_chosen, known_by_heart, taught_in_words
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.lexicon import Lexicon
 from semantic_framer.values.dialogue import Context, LastQuestion, Pending, is_no
@@ -288,8 +288,8 @@ class _Utterance:
         tree, known, policy = meant.tree, self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
-            if choice is None:
-                return None
+            if choice is None or pending.idioms:
+                return None if choice is None else idiom_chosen(pending, choice, meant, context, self._now)
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):

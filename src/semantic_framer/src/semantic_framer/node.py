@@ -15,7 +15,9 @@ from roboframenet_msgs.msg import (
     Fleet,
     FrameCatalogue,
     FrameServers,
+    Learned,
     Reply,
+    SourceFile,
     StopReport,
 )
 from roboframenet_msgs.msg import (
@@ -27,6 +29,7 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import AddLexicalUnit
 from std_msgs.msg import String
 
+from nearest_meaning.learned import LearnedUnit
 from nearest_meaning.learned_file import default_learned_file
 from nearest_meaning.likeness import Likeness
 from roboframenet_ros.command_ids import is_of_agent, is_spoken
@@ -44,7 +47,14 @@ from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.framer import Heard, hear
 from semantic_framer.learning import Learning
 from semantic_framer.ros_lexicon import SharedLexicon
-from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
+from semantic_framer.ros_messages import (
+    acting_servers,
+    to_clauses,
+    to_filled_units,
+    to_learned,
+    to_plan,
+    with_beginning,
+)
 from semantic_framer.settings import Settings
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.heeding import FrameHeeding, heeded_elements
@@ -96,7 +106,8 @@ class SemanticFramer:
         fleet (Fleet, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
-        lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
+        lexicon (Lexicon, latched), learned (Learned, latched), learned_frames (FrameCatalogue, latched),
+        file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_lexical_unit
     Parameters: see :class:`semantic_framer.settings.Settings`.
@@ -121,12 +132,15 @@ class SemanticFramer:
         self._shared = SharedLexicon(settings, place, self._lock)
         self._lexicon = self._shared.units
         self._likeness = Likeness()
+        self._learned = rospy.Publisher("learned", Learned, queue_size=1, latch=True)
+        self._learned_frames = rospy.Publisher("learned_frames", FrameCatalogue, queue_size=1, latch=True)
         self._learning = Learning(
             os.path.expanduser(settings.learned_file or default_learned_file()),
             self._lexicon,
             self._shared.files,
             warn=rospy.logwarn,
             now=time.time,
+            tell=self._tell_learned,
         )
         rospy.on_shutdown(self._learning.close)
         self._subscribers = [
@@ -155,6 +169,11 @@ class SemanticFramer:
         if self._shared.problem_count:
             return Health(Level.WARN, f"Problems in files: {self._shared.problem_count}; see file_problems.", values)
         return Health(values=values)
+
+    def _tell_learned(self, units: Sequence[LearnedUnit]) -> None:
+        frames = [SourceFile(path=unit.path, text=unit.frame_text) for unit in units if unit.frame_text]
+        self._learned_frames.publish(FrameCatalogue(files=frames))
+        self._learned.publish(to_learned(units))
 
     def _on_fleet(self, message: Fleet) -> None:
         named: Dict[str, Sequence[str]] = {robot.name: robot.spoken_names for robot in message.robots}
@@ -260,19 +279,20 @@ class SemanticFramer:
         talk = self._talk(command.robot)
         with self._lock:
             while True:
-                frames = self._frames
+                frames, names = self._frames, self._learning.names
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
                     FramedLexicon(
                         self._lexicon,
                         frames,
-                        self._shared.names.types,
+                        names.types_with(self._shared.names.types),
                         self._heeded_by(talk, command.robot),
-                        self._world,
+                        names.world_with(self._world),
                         self._speaker,
                         likeness=self._likeness,
                         declined=self._learning.declined,
+                        taught=names,
                     ),
                     context=talk.context,
                     policy=self._settings.policy,

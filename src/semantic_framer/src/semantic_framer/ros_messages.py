@@ -9,12 +9,15 @@ from roboframenet_msgs.msg import (
     FilledLexicalUnit,
     FilledLexicalUnitList,
     FrameServers,
+    Learned,
+    LearnedItem,
     LexicalUnitReading,
     Plan,
     PlanNode,
     TimeExpression,
 )
 
+from nearest_meaning.learned import LearnedUnit
 from semantic_framer.values.clause_plan import nodes_of, plan_of
 from semantic_framer.values.outcome import Understood
 from semantic_framer.values.reading import Reading
@@ -22,6 +25,25 @@ from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_profile import Purpose, ServerProfile
 from typed_arguments.ros_messages import time_to_message, to_message
 from utterance_passes.trees.tree import DependencyTree
+
+#: So many of what persons taught are told: those taught last.
+MOST_LEARNED = 200
+
+
+def to_learned(units: Sequence[LearnedUnit]) -> Learned:
+    """Return the message of what persons taught; the units are those taught first at the front."""
+    items = [
+        LearnedItem(
+            name=unit.name,
+            said=unit.said,
+            meaning=unit.meaning,
+            who=unit.who,
+            stamp=rospy.Time.from_sec(max(0.0, unit.when_s)),
+            sentence=unit.sentence,
+        )
+        for unit in reversed(units[-MOST_LEARNED:])
+    ]
+    return Learned(items=items, left_out=len(units) - len(items))
 
 
 def acting_servers(message: FrameServers, robot: str = "") -> Mapping[str, Sequence[ServerProfile]]:

@@ -2,11 +2,11 @@
 
 import threading
 from pathlib import Path
-from typing import Any, List
+from typing import Any, List, Mapping, Sequence
 
 import pytest
 
-from nearest_meaning.learned import LearnedUnit
+from nearest_meaning.learned import KIND, PLACE, LearnedUnit, text_with_frame
 from nearest_meaning.learned_file import MOST_UNITS, LearnedFile
 from semantic_framer.learning import Learning
 from semantic_framer.units.lexicon import Lexicon
@@ -32,7 +32,18 @@ class Robot:
         self.announced: List[LexiconState] = []
         self.warnings: List[str] = []
         files = LexiconFiles(self.lexicon, threading.RLock(), self.announced.append)
-        self.learning = Learning(str(path), self.lexicon, files, warn=self.warnings.append, now=lambda: 12.0)
+        self.frames_told: List[Mapping[str, str]] = []
+        self.learning = Learning(
+            str(path),
+            self.lexicon,
+            files,
+            warn=self.warnings.append,
+            now=lambda: 12.0,
+            tell=self.told,
+        )
+
+    def told(self, units: Sequence[LearnedUnit]) -> None:
+        self.frames_told.append({unit.path: unit.frame_text for unit in units if unit.frame_text})
 
     def frames_of(self, verb: str) -> List[str]:
         return [unit.frame_name for unit in self.lexicon.units_of(verb)]
@@ -140,9 +151,42 @@ def test_what_is_taught_last_in_words_counts_and_all_of_it_is_forgotten_by_its_w
     robot = Robot(tmp_path / "l.sqlite")
     other = "frame_name: moving\nremark: dismissed\n"
     robot.learning.take([Lesson("dismissed", "go to the charger", "going", "When ...", text=IDIOM)], "anna")
-    robot.learning.take([Lesson("dismissed", "walk", "moving", "When ...", text=other)], "bob")
+    robot.learning.take([Lesson("dismissed", "walk", "moving", "When ...", text=other)], "anna")
     (unit,) = LearnedFile(str(tmp_path / "l.sqlite")).units()
-    assert (unit.name, unit.verb, unit.who, unit.text) == ("dismissed.moving", "walk", "bob", other)
+    assert (unit.name, unit.verb, unit.who, unit.text) == ("dismissed.moving", "walk", "anna", other)
     robot.learning.take([LESSON, Lesson("dismissed", "", "", "Forget ...", is_forgotten=True)], "bob")
     assert [one.said for one in LearnedFile(str(tmp_path / "l.sqlite")).units()] == ["make your way"]
     assert robot.lexicon.remark_units(["dismissed"]) == []
+
+
+def test_what_two_persons_teach_is_kept_and_forgotten_together(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    for who, place in (("anna", "the charger"), ("bob", "the hall")):
+        text = f"frame_name: going\nremark: dismissed\nvalues: {{goal: {place}}}\n"
+        robot.learning.take([Lesson("dismissed", f"go to {place}", "going", "When ...", text=text)], who)
+    assert len(robot.lexicon.remark_units(["dismissed"])) == 2
+    assert sorted(robot.learning.names.meanings.values()) == ["go to the charger", "go to the hall"]
+    robot.learning.take([Lesson("dismissed", "", "", "Forget ...", is_forgotten=True)], "bob")
+    assert robot.lexicon.remark_units(["dismissed"]) == []
+
+
+def test_the_frame_of_a_sequence_is_told_and_taken_back_and_known_after_a_restart(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    text = text_with_frame("frame_name: taught_x\nremark: x\n", "name: taught_x\nchildren: [[{name: going}]]\n")
+    robot.learning.take([Lesson("x", "go", "taught_x", "When ...", text=text)], "")
+    assert robot.frames_told == [{}, {"learned/x.taught_x.yaml": "name: taught_x\nchildren: [[{name: going}]]\n"}]
+    robot.learning.close()
+    again = Robot(tmp_path / "l.sqlite")
+    assert again.frames_told == robot.frames_told[1:] and not again.warnings
+    again.learning.take([Lesson("x", "", "", "Forget ...", is_forgotten=True)], "")
+    assert again.frames_told[-1] == {}
+
+
+def test_kinds_and_names_of_places_are_kept_and_forgotten(tmp_path: Path) -> None:
+    robot = Robot(tmp_path / "l.sqlite")
+    robot.learning.take([Lesson("mug", "cup", KIND, "A mug ..."), Lesson("den", "room_1", PLACE, "This ...")], "anna")
+    robot.learning.take([Lesson("mug", "vessel", KIND, "A mug ...")], "bob")
+    assert (robot.learning.names.kinds, robot.learning.names.places) == ({"mug": "vessel"}, {"den": "room_1"})
+    assert not robot.warnings and robot.lexicon.units_of("mug") == ()
+    robot.learning.take([Lesson("den", "", "", "Forget ...", is_forgotten=True)], "")
+    assert robot.learning.names.places == {}

@@ -11,6 +11,7 @@ from roboframenet_msgs.msg import (
     CommandSemanticFrames,
     CommandStatus,
     FileProblems,
+    Learned,
     Procedure,
     Reply,
     StageEvent,
@@ -25,6 +26,7 @@ from web_console.history import History
 from web_console.ros_hearing import show
 from web_console.ros_values import (
     clause_views,
+    learned_view,
     orders_view,
     parsed_words,
     plan_view,
@@ -46,8 +48,8 @@ class Listener:
 
     Subscribes: ``status``, ``stage_events``, ``command_parse``, ``command_lexical_units``,
     ``command_semantic_frames``, ``procedure``, ``reply``, ``stop_report``, ``file_problems``,
-    ``executor/smach/container_status``, ``standing_orders``, ``doing``. Not ``command_text`` and ``command_plan``:
-    their publishers wait for the first subscriber, which has to be the next stage.
+    ``executor/smach/container_status``, ``standing_orders``, ``learned``, ``doing``. Not ``command_text`` and
+    ``command_plan``: their publishers wait for the first subscriber, which has to be the next stage.
     """
 
     def __init__(
@@ -94,6 +96,7 @@ class Listener:
         self._hear("reply", Reply, self._on_reply)
         self._hear("status", CommandStatus, self._on_status)
         self._hear("standing_orders", StandingOrders, self._on_orders)
+        self._hear("learned", Learned, self._on_learned)
         self._hear("doing", String, self._on_doing)
         self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
         self._subscribers.append(
@@ -190,6 +193,10 @@ class Listener:
 
     def _on_orders(self, message: StandingOrders) -> None:
         if self._board.show("orders", orders_view(message)):
+            self._on_change()
+
+    def _on_learned(self, message: Learned) -> None:
+        if self._board.show("learned", learned_view(message)):
             self._on_change()
 
     def _on_problems(self, message: FileProblems) -> None:

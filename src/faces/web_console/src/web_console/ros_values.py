@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     FileProblem,
     FilledSemanticFrame,
     FrameServers,
+    Learned,
     LexicalUnitReading,
     Plan,
     PlanCandidate,
@@ -30,6 +31,7 @@ from typed_arguments.ros_messages import frames_from_messages, from_message
 from web_console.arcs import ParsedWord
 from web_console.arguments import argument_view, trace_lines
 from web_console.ground import Pose, heading_of, map_png
+from web_console.learned import LearnedItemView, LearnedView
 from web_console.suggestions import Present
 from web_console.telling import help_after
 from web_console.views import (
@@ -309,6 +311,22 @@ def orders_view(message: StandingOrders) -> OrdersView:
             OrderView(one.sentence, one.state, one.reason, seconds(one.next), int(one.count)) for one in message.orders
         )
     )
+
+
+def learned_view(message: Learned) -> LearnedView:
+    """Return what was taught."""
+    items = (
+        LearnedItemView(
+            said=one.said,
+            meaning=one.meaning,
+            who=one.who,
+            when_s=one.stamp.to_sec(),
+            sentence=one.sentence,
+            forgets=f'Forget what I taught you about "{one.said}".',
+        )
+        for one in message.items
+    )
+    return LearnedView(tuple(items), int(message.left_out))
 
 
 def _name(one: WorldObject) -> str:

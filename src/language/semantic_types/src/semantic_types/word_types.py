@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Iterable
+from typing import Iterable, Mapping
 
 from semantic_types.likelihood import UNTYPED, Likelihoods, of_names
 from semantic_types.name_file import Names, spoken
@@ -16,10 +16,12 @@ class WordTypes:
     Attributes:
         nouns: the nouns of the language
         names: the names that the robot knows; they count before the nouns
+        kinds: nouns that a person taught, each with the noun of which it is a kind
     """
 
     nouns: Nouns = field(default_factory=shipped_nouns)
     names: Names = field(default_factory=dict)
+    kinds: Mapping[str, str] = field(default_factory=dict)
 
     def of_name(self, text: str) -> Likelihoods:
         """Return the types of a name that the robot knows; none for any other word."""
@@ -33,11 +35,13 @@ class WordTypes:
             spellings: of the noun, such as its form and its lemma; the first that is known counts
             is_name: whether it is a proper noun
         """
-        for spelling in dict.fromkeys(spellings):
+        spellings = tuple(dict.fromkeys(spellings))
+        for spelling in spellings:
             types = self.nouns.types(spelling, is_name)
             if types.types:
                 return types
-        return UNTYPED
+        above = next((self.kinds[one.lower()] for one in spellings if one.lower() in self.kinds), "")
+        return self.nouns.types(above, False) if above else UNTYPED
 
 
 @lru_cache(maxsize=None)

@@ -18,7 +18,7 @@ from semantic_framer.framer import Heard, hear
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.units.heeding import heeded_elements
 from semantic_framer.values.clause_plan import CONDITION, PlanPart, leaves_of
-from semantic_framer.values.dialogue import Context
+from semantic_framer.values.dialogue import Context, Lesson
 from semantic_framer.values.outcome import (
     CORRECTION,
     DECLINED,
@@ -97,6 +97,7 @@ class Understanding:
         plan: how the clauses are joined; None if they are done one after the other, or nothing is done
         trace: the effect of each rule, in the run that decided
         context: what is remembered for the next sentence
+        lessons: what an answer teaches; nothing keeps it here
         behind: the result of the command after a stop ("stop and come back"), which begins when the robot has stopped;
             None if there is none
     """
@@ -111,6 +112,7 @@ class Understanding:
     plan: Optional[PlanPart] = None
     trace: Tuple[TraceLine, ...] = ()
     context: Context = Context()
+    lessons: Tuple[Lesson, ...] = ()
     behind: Optional["Understanding"] = None
 
 
@@ -278,6 +280,7 @@ class Pipeline:
             plan=outcome.plan if isinstance(outcome, Understood) else None,
             trace=trace.lines if trace is not None else (),
             context=context,
+            lessons=heard.lessons,
         )
 
     def _search(self, understood: Understood) -> Union[Tuple[registrar.Found, ...], registrar.Refusal]:

@@ -57,11 +57,13 @@ class World:
         version: another one for each change; empty when nothing was heard
         objects: ascending by id
         left_out: objects that are known and did not fit
+        taught_kinds: nouns that a person taught, each with the noun of which it is a kind
     """
 
     version: str = ""
     objects: Tuple[WorldObject, ...] = ()
     left_out: int = 0
+    taught_kinds: Tuple[Tuple[str, str], ...] = ()
 
     @cached_property
     def by_id(self) -> Mapping[str, WorldObject]:
@@ -88,7 +90,7 @@ class World:
         """The same without what earlier runs knew of places and states, which may have changed since."""
         if not any(one.place_of_before_s or one.states_of_before_s for one in self.objects):
             return self
-        return World(self.version, tuple(map(_of_this_run, self.objects)), self.left_out)
+        return World(self.version, tuple(map(_of_this_run, self.objects)), self.left_out, self.taught_kinds)
 
     @cached_property
     def _by_name(self) -> Mapping[str, Tuple[WorldObject, ...]]:
@@ -139,8 +141,25 @@ class World:
         return self._by_category.get(spoken(noun), ())
 
     def kinds_of(self, noun: str) -> Tuple[WorldObject, ...]:
-        """Return the objects that a noun may stand for: those of its category and of more special categories."""
-        key = spoken(noun)
+        """Return the objects that a noun may stand for: those of its category and of more special categories.
+
+        A person may have taught more special ones. A noun of which nothing is known but that it is a kind of another
+        stands for things of that other kind.
+        """
+        found = {one.id: one for key in self._taught_below(spoken(noun)) for one in self._known_kinds_of(key)}
+        if not found:
+            above = (upper for lower, upper in self.taught_kinds if lower == spoken(noun))
+            found = {one.id: one for key in above for one in self._known_kinds_of(key)}
+        return tuple(found.values())
+
+    def _taught_below(self, key: str) -> Sequence[str]:
+        """Return a noun, and the nouns that are taught to be kinds of it."""
+        found = [key]
+        for one in found:
+            found += [lower for lower, upper in self.taught_kinds if upper == one and lower not in found]
+        return found
+
+    def _known_kinds_of(self, key: str) -> Tuple[WorldObject, ...]:
         categories = [key, *self._categories_below.get(key, ())]
         for synset in shipped_nouns().synsets(key):
             categories += self._categories_below.get(synset, ())

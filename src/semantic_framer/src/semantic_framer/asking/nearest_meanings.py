@@ -52,9 +52,13 @@ _NEVER_LEFT_OUT = frozenset(["root", "obj", "iobj", "nsubj", "compound", "conj"]
 _OF_IDIOMS = frozenset(["det", "nmod:poss", "amod"])
 #: The role of elements that say which way, and the relations of words that may say it.
 _DIRECTION = "Direction"
+_COMPARATIVE = "Degree=Cmp"
 _OF_WAYS = frozenset(["obl", "advmod", "compound:prt"])
 _LONGEST_IDIOM = 3
-_MOST_ROUNDS = 3
+#: Phrases that are left out as a whole.
+_PHRASES = frozenset(["obl", "nmod", "advmod", "acl", "advcl", "appos", "conj", "parataxis", "nummod", "amod", "dep"])
+#: So many sentences without some words are tried.
+_MOST_TRIED_WITHOUT = 8
 _MOST_TRIED = 8
 MOST_CANDIDATES = 3
 #: A candidate of less merit is not asked about.
@@ -188,47 +192,87 @@ def candidates_of(tree: DependencyTree, heard: Heard, now: Now, read: Read) -> T
 
 
 def _without_unread(tree: DependencyTree, heard: Heard, known: FramedLexicon, read: Read) -> Optional[Candidate]:
-    """Return a sentence without the words that nothing reads."""
-    left_out: FrozenSet[int] = frozenset()
+    """Return a sentence without the words that nothing reads, and with as many others as can stay.
+
+    What cannot be read is left out alone, with what hangs on it, or with the phrase that it is in; what is refused then
+    for other words is tried again without those, the sentence with the most words first.
+    """
     before = {reading.unit.frame_name for one in heard.clauses for reading in one.plausible[:1]}
     frames_before = [known.frames[name] for name in before]
-    for _ in range(_MOST_ROUNDS):
-        outcome = heard.outcome
-        if not isinstance(outcome, Refusal) or not outcome.left_over:
-            return None
-        more = _with_words_of_grammar(tree, left_out | _positions_of(tree, outcome.left_over, left_out))
-        if more == left_out or not _says_most(tree, more):
-            return None
-        if any(_is_needed(tree.word(index), frames_before) for index in more):
-            return None
-        left_out = more
-        try:
-            other = rephrased(tree, left_out)
-        except NotATree:
-            return None
-        heard = read(other)
-        frames = _frames_done(heard, known)
-        if frames and set(frames) <= before and not _is_open(heard):
-            words = " ".join(tree.word(index).form for index in sorted(left_out) if tree.word(index).upos != "PUNCT")
-            if (_whole(tree), frames[0]) in known.declined:
-                return None
-            lesson = Lesson(_whole(tree), "", frames[0], tree.text)
-            return Candidate(_choice(other, heard), frames, 1.0, f'Nothing reads "{words}".', lesson)
+    tried: Set[FrozenSet[int]] = set()
+    waiting: List[Tuple[FrozenSet[int], Heard]] = [(frozenset(), heard)]
+    while waiting and len(tried) < _MOST_TRIED_WITHOUT:
+        left_out, refused = waiting.pop(0)
+        for more in _enlarged(tree, left_out, refused):
+            is_allowed = not any(_is_needed(tree.word(index), more, frames_before) for index in more)
+            if more in tried or not is_allowed or not _says_most(tree, more):
+                continue
+            tried.add(more)
+            try:
+                other = rephrased(tree, more)
+            except NotATree:
+                continue
+            instead = read(other)
+            frames = _frames_done(instead, known)
+            if frames and (not before or set(frames) <= before) and not _is_open(instead):
+                return _candidate_without(tree, more, _choice(other, instead), frames, known)
+            waiting.append((more, instead))
+        waiting.sort(key=lambda one: len(one[0]))
     return None
 
 
-def _is_needed(word: Word, frames: Iterable[SemanticFrame]) -> bool:
-    """Whether another thing would be done without a word: a deed, an object, a direction, or an amount of a motion."""
+def _candidate_without(
+    tree: DependencyTree, left_out: FrozenSet[int], choice: Choice, frames: Tuple[str, ...], known: FramedLexicon
+) -> Optional[Candidate]:
+    if (_whole(tree), frames[0]) in known.declined:
+        return None
+    words = " ".join(tree.word(index).form for index in sorted(left_out) if tree.word(index).upos != "PUNCT")
+    lesson = Lesson(_whole(tree), "", frames[0], tree.text)
+    return Candidate(choice, frames, 1.0, f'Nothing reads "{words}".', lesson)
+
+
+def _enlarged(tree: DependencyTree, left_out: FrozenSet[int], refused: Heard) -> Iterator[FrozenSet[int]]:
+    """Yield larger sets of words to leave out, the smallest first, by what a refusal names."""
+    outcome = refused.outcome
+    if not isinstance(outcome, Refusal) or not outcome.left_over:
+        return
+    unread = _positions_of(tree, outcome.left_over, left_out)
+    if not unread:
+        return
+    alone = left_out | unread
+    below = alone.union(*(tree.subtree(index) for index in unread))
+    phrases = alone.union(*(_phrase_around(tree, index) for index in unread))
+    found = [_with_words_of_grammar(tree, one) for one in (alone, below, phrases)]
+    yield from sorted(dict.fromkeys(found), key=len)
+
+
+def _phrase_around(tree: DependencyTree, index: int) -> FrozenSet[int]:
+    """Return the positions of the phrase that a word is in; the word alone where that is the clause."""
+    word = tree.word(index)
+    while word.head:
+        if word.deprel.split(":")[0] in _PHRASES:
+            return tree.subtree(word.index)
+        word = tree.word(word.head)
+    return frozenset([index])
+
+
+def _is_needed(word: Word, left_out: FrozenSet[int], frames: Iterable[SemanticFrame]) -> bool:
+    """Whether another thing would be done without a word: a deed, an object, a direction, or an amount of a motion.
+
+    Words inside a phrase that is left out as a whole say nothing of the deed: "a photo of what *you* see".
+    """
     elements = [element for frame in frames for element in frame.frame_elements]
     values = {part for element in elements for value in element.values for part in value.split()}
     is_measured = any(element.quantity is not None for element in elements)
     is_amount = is_measured and (word.upos == "NUM" or any(letter.isdigit() for letter in word.form))
-    # "Drive *in reverse* 1 metre", "go *sideways*" say which way.
-    has_direction = any(element.framenet == _DIRECTION for element in elements)
-    is_way = is_measured and has_direction and word.deprel in _OF_WAYS
-    if word.said in _SIDES or is_way:
+    if is_amount or word.said in _SIDES or word.said in values:
         return True
-    return is_amount or word.deprel.split(":")[0] in _NEVER_LEFT_OUT or word.said in values
+    if word.head in left_out:
+        return False
+    # "Drive *in reverse* 1 metre", "go *sideways*" say which way; "closer" does not.
+    has_direction = any(element.framenet == _DIRECTION for element in elements)
+    is_way = is_measured and has_direction and word.deprel in _OF_WAYS and _COMPARATIVE not in word.feats
+    return is_way or word.deprel.split(":")[0] in _NEVER_LEFT_OUT
 
 
 def _says_most(tree: DependencyTree, left_out: FrozenSet[int]) -> bool:

@@ -205,7 +205,7 @@ def _settled(
     unseen = [unknown_of(argument) for policy_of_frame, argument in unknown if policy_of_frame is UnknownPolicy.ASK]
     if (confirm or wrong or unseen or meant) and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
-        acts = ", then ".join(_in_words(readings[0]) for readings in done)
+        acts = ", then ".join(in_words(readings[0]) for readings in done)
         if wrong:
             now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
         elif unseen:
@@ -229,7 +229,7 @@ def _meant_by(reading: Reading) -> str:
     """Return the question whether a verb from the lexicon is meant like the verb in whose place it stands."""
     verb = reading.unit.stands_for(reading.verb)
     said = replace(reading, clause_text="")
-    return f'By "{_in_words(said)}", do you mean "{_in_words(replace(said, verb=verb))}"?'
+    return f'By "{in_words(said)}", do you mean "{in_words(replace(said, verb=verb))}"?'
 
 
 def _in_words_of(plan: PlanPart, sentence: Sentence) -> str:
@@ -363,7 +363,7 @@ def without_positions(clauses: Clauses) -> Clauses:
     return tuple(tuple(replace(reading, left_over=(), extra=None) for reading in readings) for readings in clauses)
 
 
-def _in_words(reading: Reading) -> str:
+def in_words(reading: Reading) -> str:
     """Return a clause as it was said, or its verb and arguments where a pronoun stands for something else."""
     verb = frozenset(reading.verb_positions)
     own = (value for value in reading.arguments if value.positions and not verb.issuperset(value.positions))

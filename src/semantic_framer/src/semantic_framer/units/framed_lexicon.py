@@ -7,6 +7,7 @@ from nearest_meaning.likeness import Likeness
 from semantic_framer.units.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.units.heeding import FrameHeeding
 from semantic_framer.units.lexicon import Lexicon
+from semantic_framer.units.taught_names import TaughtNames
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types import WordTypes, shipped_types
@@ -42,6 +43,7 @@ class FramedLexicon:
     speaker: str = ""
     likeness: Optional[Likeness] = None
     declined: FrozenSet[Tuple[str, str]] = frozenset()
+    taught: TaughtNames = field(default_factory=TaughtNames)
     without: FrozenSet[str] = frozenset()
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:

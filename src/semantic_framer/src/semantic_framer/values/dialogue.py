@@ -26,13 +26,14 @@ class Lesson:
 
     Attributes:
         said: words of the verb that was not known, "make your way"
-        verb: the known verb, with its particles, or the sentence that was taught as the meaning; empty when ``said`` is
-            a whole sentence, and only a no is kept
-        frame_name: the frame that it evokes
+        verb: the known verb, with its particles, or the sentence that was taught as the meaning, the noun of a kind, or
+            the id of a place; empty when ``said`` is a whole sentence, and only a no is kept
+        frame_name: the frame that it evokes; ``KIND`` or ``PLACE`` of :mod:`nearest_meaning.learned`
         sentence: in which the words were said
         text: of the lexical unit file; empty for that of the known verb
         is_agreed: whether a person said that they mean it
         is_forgotten: whether a person wants the words to mean nothing again
+        told: what is taught, as a sentence; empty for words that mean others
     """
 
     said: str
@@ -42,6 +43,7 @@ class Lesson:
     text: str = ""
     is_agreed: bool = True
     is_forgotten: bool = False
+    told: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,7 @@ class Pending:
         choices: the only allowed answers, as they were offered; empty if any answer is allowed
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
+        idioms: where each of ``readings`` is what a person taught as the meaning of a sentence, that deed
         lessons: what a yes to each of ``readings`` teaches, None for nothing; without ``readings``, what a person wants
             to teach in words
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
@@ -74,6 +77,7 @@ class Pending:
     expires_s: float
     choices: Tuple[str, ...] = ()
     readings: Tuple[Choice, ...] = ()
+    idioms: Tuple[Reading, ...] = ()
     lessons: Tuple[Optional[Lesson], ...] = ()
     offered: Tuple[str, ...] = ()
     is_about_words: bool = False

@@ -25,9 +25,9 @@ TITLE = "grammars of the command generators of RoboCup@Home (GPSR, EGPSR), a fol
 
 def add_gpsr_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments that only this corpus has."""
-    parser.add_argument("--count", type=int, default=1000, metavar="N", help=f"{NAME}: number of commands (1000)")
+    parser.add_argument("--count", type=int, default=1000, metavar="N", help=f"{NAME}, talk: how many (1000)")
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{NAME}: of the commands; of --sample (0)")
-    parser.add_argument("--failures", action="store_true", help=f"{NAME}, mood: list the failures by cause")
+    parser.add_argument("--failures", action="store_true", help=f"{NAME}, mood, talk: list the failures")
 
 
 def run_gpsr(arguments: argparse.Namespace, pipeline: Pipeline) -> int:

@@ -22,6 +22,9 @@ from frame_learning.map_score import attachments, compared
 from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
+from frame_learning.talk_score import NAME as TALK
+from frame_learning.talk_score import TITLE as TALK_TITLE
+from frame_learning.talk_score import run_talk
 from mood_matrix.mood_command import NAME as MOOD
 from mood_matrix.mood_command import TITLE as MOOD_TITLE
 from mood_matrix.mood_command import add_mood_arguments, run_mood
@@ -40,6 +43,7 @@ EXAMPLES = """examples:
   rfn score scout scout/transcripts
   rfn score scout scout/transcripts --sample 200 --seed 7
   rfn score gpsr grammars --count 5000 --seed 7 --failures
+  rfn score talk treebanks --count 1000 --failures
   rfn score mood
   rfn score mood --row 8 --row 22 --domain devices --failures
 
@@ -51,8 +55,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn score``."""
     parser.epilog = EXAMPLES
     titles = "; ".join(f"{name}: {corpus.title}" for name, corpus in CORPORA.items())
-    names = (*CORPORA, GPSR, MOOD)
-    parser.add_argument("corpus", choices=names, help=f"{titles}; {GPSR}: {GPSR_TITLE}; {MOOD}: {MOOD_TITLE}")
+    others = {GPSR: GPSR_TITLE, TALK: TALK_TITLE, MOOD: MOOD_TITLE}
+    told = "; ".join([titles, *(f"{name}: {title}" for name, title in others.items())])
+    parser.add_argument("corpus", choices=(*CORPORA, *others), help=told)
     parser.add_argument("folder", nargs="?", default="", metavar="DIR", help=f"its folder; none for {MOOD}")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
     parser.add_argument(
@@ -110,6 +115,8 @@ def run(arguments: argparse.Namespace) -> int:
         pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY), without=frozenset(arguments.without))
         if arguments.corpus == MOOD:
             return run_mood(arguments, pipeline, Path((arguments.domains or [shipped_domains()])[0]))
+        if arguments.corpus == TALK:
+            return run_talk(arguments, pipeline)
         if corpus is None:
             return run_gpsr(arguments, pipeline)
         commands = corpus.read(arguments.folder)

@@ -49,6 +49,7 @@ COMMANDS = (
     ("place", "roboframenet_tools.ros_place", "remember where the robot stands, list the places, or write them"),
     ("forget", "roboframenet_tools.ros_forget", "let the robot forget what it has learned of things and places"),
     ("export-learned", "roboframenet_tools.learned", "write what persons taught the robot as a lexical unit file"),
+    ("import-learned", "roboframenet_tools.learned_import", "take over what persons taught another robot"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),

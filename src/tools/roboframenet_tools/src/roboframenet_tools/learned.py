@@ -1,6 +1,7 @@
-"""``rfn export-learned``: writes what persons taught the robot as a lexical unit file, and what is listed of it.
+"""``rfn export-learned``: writes what persons taught the robot as files of a domain, and what is listed of it.
 
-It works on the file. A running semantic_framer sees before the next command that it has changed.
+It works on the file, as ``rfn import-learned`` does. A running semantic_framer sees before the next command that it
+has changed.
 """
 
 import argparse
@@ -15,10 +16,12 @@ from roboframenet_ros.sqlite_file import StoreError
 
 EXAMPLES = """examples:
   rfn export-learned
-  rfn export-learned --out my_domain/lexical_units/learned.yaml
+  rfn export-learned --out my_domain/lexical_units/learned.yaml --frames my_domain/frames
 
 The file is a lexical unit file as programmers write them: another robot knows it
-when it is among its domains.
+when it is among its domains. A sequence of deeds also needs its frame: without
+--frames it is left out. Kinds and names of places are no lexical units; 'rfn
+import-learned' takes them over from the file itself.
 
 exit status: 0 written, 2 wrong usage, or there is nothing to write
 """
@@ -35,12 +38,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--file", metavar="FILE", help="where it is kept (default: learned.sqlite in the ROS home folder)"
     )
     parser.add_argument("--out", metavar="FILE", help="write this file (default: print)")
+    parser.add_argument("--frames", metavar="FOLDER", help="write the frames of sequences into this folder")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the file; return the exit status."""
     try:
-        text = exported(learned_units(arguments.file))
+        units = learned_units(arguments.file)
+        text = exported(units, has_frames=bool(arguments.frames))
+        if arguments.frames:
+            _write_frames(units, arguments.frames)
         if arguments.out:
             with open(arguments.out, "w", encoding="utf-8") as file:
                 file.write(text)
@@ -52,15 +59,33 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def exported(units: List[LearnedUnit]) -> str:
-    """Return a lexical unit file with all units.
+def _write_frames(units: List[LearnedUnit], folder: str) -> None:
+    os.makedirs(folder, exist_ok=True)
+    for unit in units:
+        if unit.frame_text:
+            with open(os.path.join(folder, f"{unit.frame_name}.yaml"), "w", encoding="utf-8") as file:
+                file.write(unit.frame_text)
 
+
+def exported(units: List[LearnedUnit], *, has_frames: bool = False) -> str:
+    """Return a lexical unit file with all units, and a remark on what it leaves out.
+
+    Args:
+        units: what is learned
+        has_frames: whether sequences are among them, because their frames are written, too
     Raises:
         NothingLearned: there are none
     """
     if not units:
         raise NothingLearned("nothing is learned")
-    return "".join(f"# {_described(unit)}\n{unit.text}" for unit in units)
+    entries = []
+    for unit in units:
+        is_written = bool(unit.unit_text) and (has_frames or not unit.frame_text)
+        remark = f"# {_described(unit)}\n"
+        entries.append(f"{remark}{unit.unit_text.rstrip()}\n" if is_written else f"# Left out:\n{remark}")
+    if not any(not line.startswith("#") for entry in entries for line in entry.splitlines()):
+        raise NothingLearned("nothing that is learned is a lexical unit without a frame of its own; see --help")
+    return "".join(entries)
 
 
 def listed(units: List[LearnedUnit]) -> str:
@@ -75,7 +100,8 @@ def _described(unit: LearnedUnit) -> str:
     when = datetime.fromtimestamp(unit.when_s, timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
     who = f" by {unit.who}" if unit.who else ""
     said = " ".join(unit.sentence.split())
-    return f'"{unit.said}" means "{unit.verb}" ({unit.frame_name}); taught{who} on {when} in "{said}"'
+    frame = f" ({unit.frame_name})" if unit.unit_text else ""
+    return f'{unit.meaning}{frame}; taught{who} on {when} in "{said}"'
 
 
 def learned_units(path: str = "") -> List[LearnedUnit]:

@@ -9,7 +9,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from checked_files import FileRefused
 from nearest_meaning.likeness import Likeness
-from offline_pipeline.pipeline import Pipeline, to_json
+from offline_pipeline.pipeline import Pipeline, Understanding, to_json
 from roboframenet_tools.offline import add_knowledge_arguments, offline_pipeline, told_problems
 from roboframenet_tools.recording import Frame, Record, RecordingError, read_records, record_of
 from roboframenet_tools.sentence_file import ExpectedReading, sentence_in_file
@@ -127,11 +127,13 @@ def unknown_sentences(
     counts: CounterOf[str] = Counter()
     found: Dict[str, Unknown] = {}
     for record in records:
-        before = replace(context, pending=None)
-        context = pipeline.understand_safely(record.text, context).context
+        # What was not understood was no answer to the question before.
+        before = replace(context, pending=None) if is_lacking(record) else context
+        understanding = pipeline.understand_safely(record.text, before)
+        context = understanding.context
         if not is_lacking(record):
             continue
-        nearest = _without_server(record) or _nearest(record.text, before, pipeline, likeness)
+        nearest = _without_server(record) or _nearest(record.text, understanding, pipeline, likeness)
         if nearest is None:
             now_known += 1
             continue
@@ -148,9 +150,8 @@ def _without_server(record: Record) -> Optional[Nearest]:
     return Nearest(f"no server for {record.frames[0][0]}", "", record.frames)
 
 
-def _nearest(text: str, context: Context, pipeline: Pipeline, likeness: Likeness) -> Optional[Nearest]:
-    """Return what is nearest to a sentence; None if it is understood."""
-    understanding = pipeline.understand_safely(text, context)
+def _nearest(text: str, understanding: Understanding, pipeline: Pipeline, likeness: Likeness) -> Optional[Nearest]:
+    """Return what is nearest to a sentence that is read like this; None if it is understood."""
     if not is_lacking(record_of(to_json(understanding))):
         return None
     pending = understanding.context.pending

@@ -1,14 +1,15 @@
 """``rfn list --learned``, ``rfn forget --learned`` and ``rfn export-learned``: they work on the file."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from nearest_meaning.learned import LearnedUnit
+from nearest_meaning.learned import KIND, LearnedUnit, text_with_frame
 from nearest_meaning.learned_file import LearnedFile
 from roboframenet_tools.cli import main
-from semantic_frames import load_lexical_units
+from semantic_frames import load_frame, load_lexical_units
 
 NAME = "make_your_way.going"
 
@@ -45,6 +46,53 @@ def test_the_export_is_a_lexical_unit_file(path: str, tmp_path: Path, capsys: An
     assert [unit.verbs for unit in units] == [("make your way",), ("zip",)]
     assert main(["export-learned", "--file", path]) == 0
     assert capsys.readouterr().out == out.read_text(encoding="utf-8")
+
+
+SEQUENCE = LearnedUnit(
+    "tidy.taught_tidy",
+    "tidy",
+    "go, then look",
+    "taught_tidy",
+    text_with_frame("- {frame_name: taught_tidy, remark: tidy}\n", "name: taught_tidy\nchildren: [[{name: going}]]\n"),
+    "anna",
+    1.0,
+    "To tidy ...",
+)
+MUG = LearnedUnit("mug.kind", "mug", "cup", KIND, "", "anna", 2.0, "A mug is a cup.")
+
+
+def with_more(path: str) -> str:
+    file = LearnedFile(path)
+    file.add(SEQUENCE)
+    file.add(MUG)
+    file.close()
+    return path
+
+
+def test_a_sequence_is_exported_with_its_frame_only(path: str, tmp_path: Path) -> None:
+    out, frames = tmp_path / "learned.yaml", tmp_path / "frames"
+    assert main(["export-learned", "--file", with_more(path), "--out", str(out)]) == 0
+    assert len(load_lexical_units(out.read_text(encoding="utf-8"), str(out))) == 2
+    assert main(["export-learned", "--file", path, "--out", str(out), "--frames", str(frames)]) == 0
+    assert len(load_lexical_units(out.read_text(encoding="utf-8"), str(out))) == 3
+    frame = load_frame((frames / "taught_tidy.yaml").read_text(encoding="utf-8"), "taught_tidy.yaml")
+    assert frame.name == "taught_tidy" and len(frame.children) == 1
+
+
+def test_what_another_robot_was_taught_is_imported_and_the_own_words_stay(
+    path: str, tmp_path: Path, capsys: Any
+) -> None:
+    own = str(tmp_path / "own.sqlite")
+    file = LearnedFile(own)
+    file.add(replace(MUG, verb="glass"))
+    file.close()
+    assert main(["import-learned", with_more(path), "--file", own]) == 0
+    assert capsys.readouterr().out == "3 imported, 1 not: their words have a meaning already\n"
+    units = {unit.name: unit for unit in LearnedFile(own).units()}
+    assert units["mug.kind"].verb == "glass" and units["tidy.taught_tidy"] == SEQUENCE and len(units) == 4
+    assert main(["list", "--learned", "--file", own]) == 0
+    assert '"mug" is a kind of "glass"; taught by anna' in capsys.readouterr().out
+    assert main(["import-learned", str(tmp_path / "none"), "--file", own]) == 2
 
 
 def test_a_missing_file_and_wrong_usage_are_told(tmp_path: Path, capsys: Any) -> None:

@@ -3,6 +3,7 @@
 import { drawMind } from "./mind.js";
 import { tick } from "./dom.js";
 import { Ground } from "./ground.js";
+import { drawLearned } from "./learned.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
 import { Microphone } from "./microphone.js";
 import { Talk } from "./talk.js";
@@ -100,6 +101,7 @@ const views = {
   health: drawHealth,
   world: drawWorld,
   orders: drawOrders,
+  learned: (view) => drawLearned(view, (text) => ask({ verb: "say", text })),
   pose: (view) => ground.move(view),
   ground: (view) => ground.surround(view),
   stop: showStop,
