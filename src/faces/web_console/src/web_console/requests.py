@@ -52,13 +52,13 @@ def read_request(message: object, *, longest_text: int) -> Request:
         BadRequest: it is none of the four verbs with its argument; for a person
     """
     if not isinstance(message, str) or len(message) > LONGEST_MESSAGE:
-        raise BadRequest("This is no request.")
+        raise BadRequest("This is not a request.")
     try:
         said = json.loads(message)
     except (ValueError, RecursionError):
-        raise BadRequest("This is no request.") from None
+        raise BadRequest("This is not a request.") from None
     if not isinstance(said, dict):
-        raise BadRequest("This is no request.")
+        raise BadRequest("This is not a request.")
     verb = said.get("verb")
     if verb in ("stop", "emergency_stop") and set(said) == {"verb"}:
         return Stop(stays=verb == "emergency_stop")
@@ -73,4 +73,4 @@ def read_request(message: object, *, longest_text: int) -> Request:
         if not 0 < len(said["id"]) <= _LONGEST_ID:
             raise BadRequest("There is no such command.")
         return Cancel(said["id"])
-    raise BadRequest("This is no request.")
+    raise BadRequest("This is not a request.")

@@ -248,11 +248,11 @@ def test_other_requests_are_refused():
     async def test(console):
         page = await console.page()
         page.write_message('{"verb": "publish", "topic": "cmd_vel"}')
-        assert await notice(page) == "This is no request."
+        assert await notice(page) == "This is not a request."
         page.write_message(json.dumps({"verb": "say", "text": "x" * 51}))
         assert "at most 50 characters" in await notice(page)
         page.write_message(b"\x00\xff", binary=True)
-        assert await notice(page) == "This is no request."
+        assert await notice(page) == "This is not a request."
         assert console.asked == []
 
     with_console(test)

@@ -11,7 +11,7 @@ NAMES = {"where": ("kitchen", "office")}
     ("code", "sentence", "answers"),
     [
         ("CONFIRM", 'Shall I really do this: "open drawer"? Say yes or no.', ("Yes", "No")),
-        ("LEFT_OVER_WORDS", 'I cannot take "slowly" into account. Shall I go on without it?', ("Yes", "No")),
+        ("LEFT_OVER_WORDS", 'I cannot do the "slowly" part. Shall I do the rest?', ("Yes", "No")),
         ("AMBIGUOUS", 'Do you mean "turn left"?', ("Yes", "No")),
         ("AMBIGUOUS", 'Which do you mean: "turn left" or "go back"?', ("turn left", "go back")),
         ("AMBIGUOUS", "Which one: the mug, the plate or the cup?", ("the mug", "the plate", "the cup")),
