@@ -4,7 +4,10 @@ import asyncio
 import hashlib
 import hmac
 import json
+import math
+import re
 import time
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 from typing import Callable, Dict, Optional, Sequence, Set, Tuple, Union
 
@@ -12,9 +15,11 @@ from tornado.httpserver import HTTPServer
 from tornado.web import Application, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
+from roboframenet_ros.sqlite_file import StoreError
 from web_console.access import host_pattern, is_token
 from web_console.outbox import Outbox
 from web_console.page_files import PageFile, read_page
+from web_console.past import FILES, LIST
 from web_console.rate_limit import Rate, RateLimit
 from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Stop, read_request
 
@@ -37,6 +42,9 @@ STOP_RATE = Rate(per_s=10.0, burst=20.0)
 #: A page that sends this many bad or too many messages is closed.
 _TOKEN_RATE = Rate(per_s=0.5, burst=5.0)
 _MOST_FAULTS = 50
+#: Searches of all pages in what was said.
+PAST_RATE = Rate(per_s=5.0, burst=20.0)
+_LONGEST_SEARCH = 200
 MOST_PAGES = 32
 
 
@@ -65,11 +73,13 @@ class Callbacks:
         on_request: a page asks for something
         on_pages: the number of pages has changed
         snapshot: returns all keys and messages for a new page
+        past: finds past conversations: the name of the list or file, words, and a time before which they were said
     """
 
     on_request: Callable[[Request], None]
     on_pages: Callable[[int], None]
     snapshot: Callable[[], Sequence[Tuple[str, str]]]
+    past: "Callable[[str, str, float], Future[str]]"
 
 
 @dataclass
@@ -103,7 +113,7 @@ class Site:
         cookie = hmac.new(settings.token.encode(), b"web_console", hashlib.sha256).hexdigest()
         self._shared = _Shared(settings, callbacks, files, policy, cookie)
         now_s = time.monotonic()
-        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("token", _TOKEN_RATE)):
+        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("token", _TOKEN_RATE), ("past", PAST_RATE)):
             self._shared.limits[name] = RateLimit(rate, now_s)
         self._server: Optional[HTTPServer] = None
 
@@ -121,6 +131,7 @@ class Site:
             [
                 (r"/live", PageSocket, shared),
                 (r"/(map-\d+\.png)", _Picture, shared),
+                (rf"/({'|'.join(map(re.escape, (LIST, *FILES)))})", _PastFile, shared),
                 (r"/([a-z_]*(?:\.[a-z]+)?)", _File, shared),
             ],
         )
@@ -238,6 +249,30 @@ class _Picture(_Guarded):
             return
         self.set_header("Content-Type", "image/png")
         self.finish(data)
+
+
+class _PastFile(_Guarded):
+    """What was said before: the list, and files to keep."""
+
+    async def get(self, name: str) -> None:
+        words = (self.get_query_argument("words", "") or "")[:_LONGEST_SEARCH]
+        if not self.shared.may("past"):
+            self.set_status(429)
+            self.finish("That was too fast. Please wait a second.\n")
+            return
+        try:
+            before_s = float(self.get_query_argument("before", "0") or 0.0)
+            text = await asyncio.wrap_future(
+                self.shared.callbacks.past(name, words, before_s if math.isfinite(before_s) else 0.0)
+            )
+        except (ValueError, StoreError) as error:
+            self.set_status(500 if isinstance(error, StoreError) else 400)
+            self.finish(f"{error}\n")
+            return
+        self.set_header("Content-Type", "application/json" if name == LIST else "text/plain; charset=utf-8")
+        if name != LIST:
+            self.set_header("Content-Disposition", f'attachment; filename="{name}"')
+        self.finish(text)
 
 
 class PageSocket(WebSocketHandler):

@@ -8,14 +8,16 @@ import hashlib
 import json
 import re
 import socket
+from concurrent.futures import Future
 
 import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from roboframenet_ros.sqlite_file import StoreError
 from web_console.page_files import FOLDER
 from web_console.requests import LONGEST_MESSAGE, Cancel, Say, Stop
-from web_console.site import MOST_PAGES, PAGE_RATE, Callbacks, Site, SiteSettings
+from web_console.site import MOST_PAGES, PAGE_RATE, PAST_RATE, Callbacks, Site, SiteSettings
 
 TOKEN = "0123456789abcdef"
 LIMIT_S = 20.0
@@ -33,9 +35,19 @@ class Console:
                 on_request=self.asked.append,
                 on_pages=self.counts.append,
                 snapshot=lambda: [("status", '{"view":"status","value":1}')],
+                past=self.past,
             ),
         )
         self.port = self.site.listen([0])
+
+    def past(self, name, words, before_s):
+        self.asked.append((name, words, before_s))
+        found = Future()
+        if words == "broken":
+            found.set_exception(StoreError("the disk is full"))
+        else:
+            found.set_result(f"{name} {words}")
+        return found
 
     async def fetch(self, path="/", **headers):
         request = HTTPRequest(f"http://127.0.0.1:{self.port}{path}", headers=headers, follow_redirects=False)
@@ -92,7 +104,7 @@ def test_other_machines_cannot_connect():
 
 def test_with_a_token_nothing_is_said_without_it():
     async def test(console):
-        for path in ("/", "/main.js", "/map-1.png", "/?token=wrong"):
+        for path in ("/", "/main.js", "/map-1.png", "/past.json", "/?token=wrong"):
             answer = await console.fetch(path)
             assert answer.code == 401 and b"canvas" not in answer.body
         assert await console.refusal() == 401
@@ -355,10 +367,40 @@ def test_page_that_drops_out_is_forgotten():
 
 def test_taken_port_is_skipped():
     async def test(console):
-        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list))
+        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list, print))
         with pytest.raises(OSError):
             other.listen([console.port])
         assert other.listen([console.port, 0]) not in (0, console.port)
         other.close()
+
+    with_console(test)
+
+
+# what was said before
+
+
+def test_past_conversations_are_found_and_kept_as_files():
+    async def test(console):
+        answer = await console.fetch("/past.json?words=cup&before=12.5")
+        assert (answer.body, answer.headers["Content-Type"]) == (b"past.json cup", "application/json")
+        answer = await console.fetch("/sentences.yaml?words=cup%20:wrong")
+        assert answer.body == b"sentences.yaml cup :wrong"
+        assert answer.headers["Content-Disposition"] == 'attachment; filename="sentences.yaml"'
+        assert console.asked == [("past.json", "cup", 12.5), ("sentences.yaml", "cup :wrong", 0.0)]
+
+    with_console(test)
+
+
+def test_searches_are_short_and_their_failures_are_told():
+    async def test(console):
+        await console.fetch(f"/past.json?words={'x' * 5000}")
+        assert len(console.asked[0][1]) == 200
+        assert (await console.fetch("/past.json?before=yesterday")).code == 400
+        await console.fetch("/past.json?before=nan")
+        assert console.asked[-1] == ("past.json", "", 0.0)
+        answer = await console.fetch("/past.json?words=broken")
+        assert (answer.code, answer.body) == (500, b"the disk is full\n")
+        answers = [(await console.fetch("/past.json")).code for _ in range(2 * int(PAST_RATE.burst))]
+        assert 429 in answers
 
     with_console(test)
