@@ -24,6 +24,7 @@ from web_console.requests import Cancel, Judge, Request, Say
 from web_console.ros_ground import GroundTap
 from web_console.ros_knowledge import KnowledgeTap
 from web_console.ros_listener import Listener
+from web_console.ros_sensors import SensorTap
 from web_console.ros_speaker import Speaker
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
@@ -64,6 +65,7 @@ class WebConsole:
             on_problem=lambda problem: rospy.logerr("past conversations: %s", problem),
         )
         self._past_changes = 0
+        self._sensors = SensorTap()
         self._site = Site(
             site_settings,
             Callbacks(
@@ -71,6 +73,7 @@ class WebConsole:
                 on_pages=self._on_pages,
                 snapshot=self._board.snapshot,
                 past=self._past.text,
+                sensors=self._sensors,
             ),
         )
         call_soon: Callable[..., None] = self._loop.add_callback
@@ -101,7 +104,7 @@ class WebConsole:
             call_soon=call_soon,
             on_abilities=self._on_abilities,
             on_health=lambda view: self._show("health", view),
-            on_turn=self._ground.watch,
+            on_turn=self._watch,
         )
         self._look = PeriodicCallback(self._ground.look, _LOOK_MS)
         for kind, view in (("abilities", AbilitiesView()), ("health", HealthView()), ("stop", StopView())):
@@ -133,6 +136,12 @@ class WebConsole:
         self._knowledge.close(timeout_s=1.0)
         self._speaker.close()
         self._past.close()
+        self._sensors.close()
+
+    def _watch(self, is_watched: bool) -> None:
+        """Hear what pages show, in the thread that may wait for the master."""
+        self._ground.watch(is_watched)
+        self._sensors.turn()
 
     def _show(self, kind: str, view: Any) -> None:
         if self._board.show(kind, view):

@@ -17,6 +17,7 @@ from tornado.websocket import websocket_connect
 from roboframenet_ros.sqlite_file import StoreError
 from web_console.page_files import FOLDER
 from web_console.requests import LONGEST_MESSAGE, Cancel, Say, Stop
+from web_console.sensing import NoPicture
 from web_console.site import MOST_PAGES, PAGE_RATE, PAST_RATE, Callbacks, Site, SiteSettings
 
 TOKEN = "0123456789abcdef"
@@ -36,9 +37,24 @@ class Console:
                 on_pages=self.counts.append,
                 snapshot=lambda: [("status", '{"view":"status","value":1}')],
                 past=self.past,
+                sensors=self,
             ),
         )
         self.port = self.site.listen([0])
+
+    def offered(self):
+        return '{"cameras":{"0":"front camera"},"numbers":{}}'
+
+    def numbers(self, places):
+        self.asked.append(places)
+        return "[1.5]"
+
+    def picture(self, place):
+        if place:
+            raise NoPicture("there is no such camera or number")
+        found = Future()
+        found.set_result(("image/jpeg", b"picture"))
+        return found
 
     def past(self, name, words, before_s):
         self.asked.append((name, words, before_s))
@@ -367,7 +383,7 @@ def test_page_that_drops_out_is_forgotten():
 
 def test_taken_port_is_skipped():
     async def test(console):
-        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list, print))
+        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list, print, print))
         with pytest.raises(OSError):
             other.listen([console.port])
         assert other.listen([console.port, 0]) not in (0, console.port)
@@ -402,5 +418,32 @@ def test_searches_are_short_and_their_failures_are_told():
         assert (answer.code, answer.body) == (500, b"the disk is full\n")
         answers = [(await console.fetch("/past.json")).code for _ in range(2 * int(PAST_RATE.burst))]
         assert 429 in answers
+
+    with_console(test)
+
+
+# what it senses
+
+
+def test_pictures_and_numbers_are_asked_for_by_their_places():
+    async def test(console):
+        assert b"front camera" in (await console.fetch("/sensors.json")).body
+        answer = await console.fetch("/camera?of=0&at=1")
+        assert (answer.body, answer.headers["Content-Type"]) == (b"picture", "image/jpeg")
+        assert (await console.fetch("/numbers.json?of=3,1")).body == b"[1.5]"
+        assert console.asked == [[3, 1]]
+        answer = await console.fetch("/camera?of=1")
+        assert (answer.code, answer.body) == (404, b"Nothing to see: there is no such camera or number.\n")
+
+    with_console(test)
+
+
+def test_no_name_of_a_topic_is_read():
+    async def test(console):
+        assert (await console.fetch("/camera?of=/front_camera/image_raw")).code == 404
+        await console.fetch("/numbers.json?of=/odom,-1,%D9%A3x,99999,2,3,4,5,6,7")
+        assert console.asked == [[]]
+        await console.fetch("/numbers.json?of=2,3,4,5,6,7")
+        assert console.asked[-1] == [2, 3, 4, 5]
 
     with_console(test)

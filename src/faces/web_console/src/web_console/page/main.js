@@ -4,6 +4,7 @@ import { drawMind } from "./mind.js";
 import { tick } from "./dom.js";
 import { Ground } from "./ground.js";
 import { Past } from "./past.js";
+import { Senses } from "./senses.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
 import { Talk } from "./talk.js";
 
@@ -24,6 +25,7 @@ let stop = { number: 0, state: "", sentence: "" };
 const ground = new Ground(byId("ground"), byId("ground-text"), byId("ground-card"));
 const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose });
 
+new Senses(byId("senses"), byId("cameras"), byId("plots"));
 const past = new Past({
   judge: (id, verdict, meant) => ask({ verb: "judge", id, verdict, meant }),
   offer: (text) => { show("talk"); talk.offer(text); },
