@@ -31,6 +31,25 @@ def test_answers(code, sentence, answers):
     assert closed_answers(code, sentence) == (answers if is_closed else ())
 
 
+@pytest.mark.parametrize(
+    ("sentence", "answers"),
+    [
+        ("Which mug, the red one or the blue one?", ("the red one", "the blue one")),
+        (
+            "Which mug, the red one of Anna in the hall or the blue one?",
+            ("the red one of Anna in the hall", "the blue one"),
+        ),
+        (
+            "Which door, the kitchen door, the hall door, the attic door or another one? I know of 9.",
+            ("the kitchen door", "the hall door", "the attic door"),
+        ),
+    ],
+)
+def test_named_things_can_be_chosen_and_others_be_said(sentence, answers):
+    assert answers_to("AMBIGUOUS", sentence, {}) == answers
+    assert closed_answers("AMBIGUOUS", sentence) == ()
+
+
 def test_there_are_not_too_many_answers():
     names = {"where": tuple(f"room {number}" for number in range(100))}
     assert len(answers_to("MISSING_ELEMENT", "Where should I go?", names)) == 8
