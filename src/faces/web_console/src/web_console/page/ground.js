@@ -87,6 +87,7 @@ export class Ground {
     this.labels.setAttribute("aria-hidden", "true");
     this.map.on("dragstart", () => { this.isTouched = true; });
     this.element.addEventListener("wheel", () => { this.isTouched = true; }, { passive: true });
+    this.element.addEventListener("touchstart", (event) => { if (event.touches.length > 1) this.isTouched = true; }, { passive: true });
     this.element.addEventListener("click", (event) => { if (event.target.closest(".leaflet-control-zoom")) this.isTouched = true; });
     this.element.addEventListener("keydown", () => { this.isTouched = true; });
     this.map.on("zoom move resize", () => this.label());
