@@ -6,8 +6,6 @@ import pytest
 import yaml
 
 from roboframenet_ros.sqlite_file import StoreError
-from roboframenet_tools.recording import read_records
-from roboframenet_tools.sentence_file import ExpectedReading, load_sentences
 from web_console.conversations import (
     RIGHT,
     WRONG,
@@ -101,19 +99,19 @@ def test_a_broken_file_is_set_aside(tmp_path):
 
 
 def test_judged_sentences_are_a_file_for_rfn_test():
+    """``tests/unit/test_files_of_the_page.py`` reads such a file with ``rfn test`` itself."""
     file = kept()
     file.judge("a-1", RIGHT, "")
     file.judge("a-2", WRONG, "Go to the hall.")
     file.judge("a-3", RIGHT, "")
     file.keep(Conversation("a-4", 40.0, "Say hello.", (), "DONE", "DONE", "Done.", WRONG))
     text = as_sentences(file.find())
-    assert [(one.text, one.frames, one.code, one.means) for one in load_sentences(text, "s.yaml")] == [
-        ("Thank you.", (), "TALK", ""),
-        ("Off to the hall!", (), "", "Go to the hall."),
-        ("Go to the hall.", GO, "", ""),
+    assert yaml.safe_load(text) == [
+        {"text": "Thank you.", "code": "TALK"},
+        {"text": "Off to the hall!", "means": "Go to the hall."},
+        {"text": "Go to the hall.", "frames": [{"navigating_to_location": {"goal": "the hall"}}]},
     ]
     assert '# wrong, and nobody has said what is right: "Say hello."' in text
-    assert isinstance(load_sentences(text, "s.yaml")[0], ExpectedReading)
 
 
 def test_the_newest_verdict_about_a_sentence_counts():
@@ -124,9 +122,10 @@ def test_the_newest_verdict_about_a_sentence_counts():
     assert entries == [{"text": "Go  to the Hall.", "means": "Go to the kitchen."}]
 
 
-def test_record_is_that_of_rfn_record():
-    records = read_records(as_records(kept().find()).splitlines(), "said.jsonl")
-    assert [(one.text, one.frames, one.code) for one in records] == [(one.text, one.frames, one.code) for one in SAID]
+def test_record_has_a_line_for_each_sentence_in_their_order():
+    lines = [json.loads(line) for line in as_records(kept().find()).splitlines()]
+    assert [line["text"] for line in lines] == [one.text for one in SAID]
+    assert lines[0]["reply"] == {"outcome": "DONE", "code": "DONE", "sentence": "Done."}
 
 
 def test_what_was_meant_is_taught_once():
