@@ -182,7 +182,7 @@ class WebConsoleTest(unittest.TestCase):
         page.find("#past form input")[0].send_keys("Turn left 30 degrees.\n")
         wait_until(lambda: page.texts("#past .teach"), message=lambda: page.texts("#past"))
         page.find("#past-words")[0].send_keys(" :wrong")
-        wait_until(lambda: ":wrong" in str(page.run("document.querySelector('#past-files a').href")))
+        wait_until(lambda: "%3Awrong" in str(page.run("document.querySelector('#past-files a').href")))
         page.click("#past .teach", "Teach it")
         taught = "When I say turn left 30 degrees with a smile, turn left 30 degrees."
         self.assertEqual(page.run("document.getElementById('text').value"), taught)
@@ -329,12 +329,14 @@ class WebConsoleTest(unittest.TestCase):
         page.press("Ping.", Keys.ENTER)
         wait_until(lambda: page.texts("#log li:last-child .person") == ["Ping."])
         self.assertEqual(page.reply(), "DONE")
-        size = "document.querySelector('path.robot-body').getBoundingClientRect().width"
+        # The map of the test before.
+        size = "parseFloat(document.querySelector('img.grid-picture').style.width)"
         page.run("document.getElementById('ground').focus()")
         before = page.run(size)
-        page.press("+")
+        page.press("=")
         wait_until(lambda: page.run(size) > 1.2 * before)
         page.press("-")
+        wait_until(lambda: page.run(size) < 1.2 * before)
         # Every button that is to be seen is reached by the tab key.
         wanted = set(page.run(f"[...document.querySelectorAll('{REACHED}')].filter({IS_SEEN}).map((one) => one.id)"))
         self.assertIn("stop", wanted)
