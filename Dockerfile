@@ -4,8 +4,10 @@
 #   docker run --rm -it -p 127.0.0.1:8080:8080 -v "$PWD/token:/token:ro" roboframenet \
 #     scripts/run console_address:=0.0.0.0 console_token_file:=/token
 # The other release: docker build --build-arg RELEASE=13 ...
+# Noetic, which has not been tried: docker build --build-arg BASE=ros:noetic-ros-base ...
 ARG RELEASE=12
-FROM debian:$RELEASE
+ARG BASE=debian:$RELEASE
+FROM $BASE
 ARG PIP_INDEX_URL PIP_EXTRA_INDEX_URL
 RUN apt-get update && apt-get install -y --no-install-recommends make && rm -rf /var/lib/apt/lists/*
 WORKDIR /roboframenet

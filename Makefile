@@ -14,7 +14,7 @@ ONLY ?=
 browser: setup
 	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
 
-.PHONY: help setup stanza agents voice build demo run test acceptance reliability record format lint bench screenshots docs install clean
+.PHONY: help setup stanza agents voice piper build demo run test acceptance reliability record format lint bench screenshots docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -30,6 +30,9 @@ agents: setup ## install the SDK of the Model Context Protocol, so that agents c
 
 voice: setup ## install Whisper too, which hears spoken commands better than pocketsphinx
 	@scripts/setup voice
+
+piper: setup ## install Piper too (GPL), with which the robot speaks in a pleasant voice
+	@scripts/setup piper
 
 build: setup ## build the workspace into devel/
 	@scripts/build

@@ -91,13 +91,23 @@ FAINT = """(() => {
 })()"""
 
 
+#: A microphone that beeps, and nobody who has to be asked.
+FAKE_MICROPHONE = ("--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream")
+
+
 class ConsoleBrowser:
     """One page in a browser. Close it when it is needed no more."""
 
     def __init__(self, url: str) -> None:
         """Open the page."""
         options = Options()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars"):
+        for argument in (
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-dev-shm-usage",
+            "--hide-scrollbars",
+            *FAKE_MICROPHONE,
+        ):
             options.add_argument(argument)
         options.binary_location = CHROMIUM
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})

@@ -14,6 +14,7 @@ import rosgraph
 import rospy
 from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import Image
+from std_msgs.msg import Empty, String, UInt8MultiArray
 
 from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
@@ -139,6 +140,45 @@ class WebConsoleTest(unittest.TestCase):
         wait_until(lambda: self.page.texts("#orders b"), message="no order is shown")
         self.assertIn("hello", self.page.texts("#orders b")[0])
         self.assertTrue(self.page.find("#orders")[0].is_displayed())
+
+    def test_3_voice_is_shown_and_listens(self) -> None:
+        def is_offered() -> bool:
+            return bool(self.page.run("document.getElementById('listen').offsetParent"))
+
+        self.assertFalse(is_offered())
+        pushed: List[Empty] = []
+        push = rospy.Subscriber("push_to_talk", Empty, pushed.append)
+        voice = {
+            topic: rospy.Publisher(f"voice_{topic}", String, queue_size=1, latch=True)
+            for topic in ("state", "heard", "question")
+        }
+        voice["state"].publish("waiting")
+        wait_until(is_offered)
+        self.page.click("#listen", "Speak")
+        wait_until(lambda: pushed)
+        voice["state"].publish("listening")
+        wait_until(lambda: self.page.texts("#heard") == ["Listening ..."])
+        voice["heard"].publish("sure: turn left | turn left please")
+        voice["question"].publish("Shall I turn left?")
+        voice["state"].publish("confirming")
+        wait_until(lambda: self.page.texts("#heard") == ['Heard: "turn left please". Shall I turn left?'])
+        push.unregister()
+        heard: List[UInt8MultiArray] = []
+        sound = rospy.Subscriber("page_sound", UInt8MultiArray, heard.append)
+        wait_until(lambda: sound.get_num_connections() > 0)
+        voice["state"].publish("listening")
+        wait_until(lambda: bool(self.page.run("document.getElementById('microphone').offsetParent")))
+        self.page.click("#microphone", "Microphone")
+        # The browser's own microphone beeps once a second: not all of it is silence.
+        wait_until(lambda: any(any(one.data) for one in heard), message=self.page.complaints)
+        self.assertEqual({len(one.data) for one in heard}, {3200})
+        self.page.click("#microphone", "Microphone")
+        wait_until(
+            lambda: self.page.run("document.getElementById('microphone').getAttribute('aria-pressed')") == "false"
+        )
+        sound.unregister()
+        voice["state"].publish("")
+        wait_until(lambda: not is_offered() and self.page.texts("#heard") == [""])
 
     def test_4_stop_button_stops(self) -> None:
         self.page.say("Move forward 10 metres.")

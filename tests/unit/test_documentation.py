@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Dict, List, Set, Tuple
 
 import pytest
+from catkin_pkg.changelog import get_changelog_from_path
 
 from roboframenet_testing.workspace import REPOSITORY, module_and_rest, module_name, modules, package, packages
 
@@ -179,13 +180,22 @@ def test_packages_have_one_version_and_an_author() -> None:
     ]
     (version,) = {found for text in texts for found in re.findall(r"<version>(.*)</version>", text)}
     assert f"version: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"Version {version} " in (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    assert f"\n## {version} (" in (REPOSITORY / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert (REPOSITORY / "docs" / "releases" / f"{version}.md").exists()
     assert all("<author>" in text and "<url" in text for text in texts)
 
 
 @pytest.mark.parametrize("package", list(packages("src", "underlay").values()), ids=lambda package: package.name)
 def test_package_has_a_changelog(package: Path) -> None:
     text = (package / "CHANGELOG.rst").read_text(encoding="utf-8")
-    assert "Forthcoming\n-----------" in text and f"Changelog for package {package.name}" in text
+    assert f"Changelog for package {package.name}" in text
+    log = get_changelog_from_path(str(package / "CHANGELOG.rst"))
+    versions = [version for version, _, _ in log.foreach_version()]
+    manifest = (package / "package.xml").read_text(encoding="utf-8")
+    # REP 132: the last release stands first, below what is new; a new package has none.
+    assert versions or "\nForthcoming\n-----------\n* " in text
+    assert not versions or f"<version>{versions[0]}</version>" in manifest
 
 
 PAGES = [path for pattern in ("*.md", "docs/**/*.md", "src/**/README.md") for path in REPOSITORY.glob(pattern)]

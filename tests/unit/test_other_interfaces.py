@@ -10,6 +10,9 @@ CHECKSUMS = [
     ("sound_play.msg", "SoundRequest", "d098ce4a040686259137ece23a625167"),
     ("play_motion_msgs.msg", "PlayMotionAction", "b18530db1ae596c4c0ca2ede0819fc9e"),
     ("kobuki_msgs.msg", "AutoDockingAction", "44be114f3afc06365a090db0a5e982b5"),
+    ("vision_msgs.msg", "Detection2DArray", "402071f61477de256df9f1aa45e6e4c8"),
+    ("vision_msgs.msg", "Detection3DArray", "05c51d9aea1fb4cfdc8effb94f197b6f"),
+    ("ar_track_alvar_msgs.msg", "AlvarMarkers", "943fe17bfb0b4ea7890368d0b25ad0ad"),
     ("turtlesim.msg", "Pose", "863b248d5016ca62ea2e895ae5265cf9"),
 ]
 

@@ -24,6 +24,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_testing.workspace import REPOSITORY
 from voice_recognition.agreement import Heard, Verdict
+from voice_recognition.calling import Calls, understood
 from voice_recognition.command_reading import make_reader
 from voice_recognition.dialogue import (
     Command,
@@ -38,13 +39,14 @@ from voice_recognition.dialogue import (
 )
 from voice_recognition.early_hearing import EarlyHearing
 from voice_recognition.ears import Ears, make_shipped_ears
-from voice_recognition.endpointing import Endpointer, Utterance
+from voice_recognition.endpointing import Endpointer, Utterance, VoiceDetector
 from voice_recognition.microphone import PART_BYTES
 from voice_recognition.offers import Offer
 from voice_recognition.recogniser import RATE, model_dictionary
 from voice_recognition.sound import duration_s
 from voice_recognition.spoken_language import Words, grounded_frames, make_language, sentences
 from voice_recognition.spotting import LONGEST_S, StopSpotter
+from voice_recognition.stop_hearing import StopHearing
 from voice_recognition.whisper_client import WhisperProcess
 from voice_recognition.whisper_ears import WhisperEars, make_whisper_ears
 from world_model.world import snapshot
@@ -59,6 +61,7 @@ ROOMS = "kitchen office garage hall lab"
 PERSONS = "Alice Bob Anna"
 STOPS = ("stop", "stop now", "stop stop", "halt", "stop it", "please stop", "robot stop")
 SETTINGS = DialogueSettings()
+CALLS = Calls(["robot"])
 _STOPS = re.compile("stop|halt", re.IGNORECASE)
 _WORD = re.compile(r"[A-Za-z]{2,}")
 #: Seconds of talk, and sentences, after which the figures so far are printed: a run that is cut off still has some.
@@ -112,9 +115,14 @@ def drawn(ears: Ears, count: int, seed: int) -> List[Words]:
     return [chance.choice(by_example[chance.choice(examples)]) for _ in range(count)]
 
 
-def utterance_in(pcm: bytes) -> Optional[bytes]:
-    """Return the longest utterance in a sound."""
-    endpointer = Endpointer()
+def utterance_in(pcm: bytes, voice: Optional[VoiceDetector] = None) -> Optional[bytes]:
+    """Return the longest utterance in a sound.
+
+    Args:
+        pcm: the sound
+        voice: tells a voice from noise
+    """
+    endpointer = Endpointer(voice=voice)
     found = endpointer.feed(pcm) + endpointer.finish()
     return max((one.pcm for one in found), key=len, default=None)
 
@@ -303,25 +311,27 @@ def quiet(seconds: float) -> Iterator[bytes]:
         yield silence(PART_S, seed=number)
 
 
-def false_alarms(ears: AnyEars, spotter: StopSpotter, parts: Iterable[bytes]) -> Iterator[CounterType[str]]:
+def false_alarms(ears: AnyEars, stop_in: Callable[[bytes], str], parts: Iterable[bytes]) -> Iterator[CounterType[str]]:
     """Count what a robot that always listens does with talk; nobody answers its questions. Yields after each part."""
     endpointer = Endpointer()
     counts: CounterType[str] = Counter()
     for pcm in parts:
         counts["seconds"] += round(duration_s(pcm))
-        _add_alarms(ears, spotter, endpointer.feed(pcm), counts)
+        _add_alarms(ears, stop_in, endpointer.feed(pcm), counts)
         yield counts
 
 
-def _add_alarms(ears: AnyEars, spotter: StopSpotter, found: Iterable[Utterance], counts: CounterType[str]) -> None:
+def _add_alarms(
+    ears: AnyEars, stop_in: Callable[[bytes], str], found: Iterable[Utterance], counts: CounterType[str]
+) -> None:
     settings = DialogueSettings(always_listening=True)
     for one in found:
         counts["utterances"] += 1
         if one.end_s - one.begin_s <= LONGEST_S:
             counts["short ones"] += 1
-            counts["false stops"] += bool(spotter.stop_in(one.pcm))
+            counts["false stops"] += bool(stop_in(one.pcm))
         state, _ = step(begin(settings), SpeechEnded(), 0.0, settings)
-        state, actions = step(state, Understood(ears.hear(one.pcm)), 0.0, settings)
+        state, actions = step(state, understood(ears.hear(one.pcm), CALLS), 0.0, settings)
         counts["questions"] += isinstance(state, Confirming)
         moves = [a for a in actions if isinstance(a, Command) and a.frame not in settings.frames_without_motion]
         counts["motions"] += len(moves)
@@ -413,17 +423,19 @@ def table(arguments: argparse.Namespace, whisper: Optional[WhisperProcess]) -> i
         heard, said = stops_heard(spotter, arguments.stops, 10.0)
         print(f"stops heard at 10 dB: {heard} of {said}", flush=True)
     folder = REPOSITORY
+    hearing = StopHearing(spotter, ears.hear_stop if isinstance(ears, WhisperEars) else None)
     for what, seconds, parts in (
         ("talk", arguments.talk_s, talk(arguments.talk_s, folder)),
         ("short phrases", arguments.phrases_s, talk(arguments.phrases_s, folder, are_short=True)),
         ("silence", arguments.silence_s, quiet(arguments.silence_s)),
     ):
         counts: CounterType[str] = Counter()
-        for number, counts in enumerate(false_alarms(ears, spotter, parts if seconds else ())):
+        for number, counts in enumerate(false_alarms(ears, hearing.stop_in, parts if seconds else ())):
             if number % 5 == 4:
                 print(f"  {what} so far: {dict(counts)}", flush=True)
         if seconds:
             print(f"{what}: {dict(counts)}", flush=True)
+    hearing.close()
     return 0
 
 

@@ -6,17 +6,19 @@ Right is what the written pipeline makes of the wording: done at once, or asked 
 """
 
 import argparse
+import itertools
 import sys
 import time
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 from typing import Counter as CounterType
-from typing import Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
+import numpy as np
 import yaml
-from figures import SERVED, utterance_in
-from synthetic_speech import speech, with_noise, with_silence
+from figures import SERVED, false_alarms, quiet, talk, utterance_in
+from synthetic_speech import VOICES, noise_like_a_room, speech, with_echo, with_noise, with_silence
 
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
@@ -37,7 +39,9 @@ from voice_recognition.dialogue import (
 )
 from voice_recognition.ears import Ears, make_shipped_ears
 from voice_recognition.offers import Offer
-from voice_recognition.recogniser import model_dictionary
+from voice_recognition.recogniser import RATE, model_dictionary
+from voice_recognition.sound import duration_s, to_pcm
+from voice_recognition.speech_detection import SpeechStream, load_session
 from voice_recognition.spoken_language import grounded_frames, make_language, spoken_words
 from voice_recognition.spotting import StopSpotter
 from voice_recognition.stop_hearing import StopHearing
@@ -49,6 +53,7 @@ from world_model.world import snapshot
 from world_model.world_file import load_world_file
 
 STOPS = Path(__file__).with_name("stop_phrasings.txt")
+TELEVISION = Path(__file__).with_name("television.txt")
 WORDINGS = Path(__file__).with_name("wordings.tsv")
 HOME = REPOSITORY / "src" / "simulation" / "roboframenet_sim" / "config" / "home.yaml"
 SMALL_WORLD = """
@@ -56,6 +61,8 @@ places: {kitchen: , office: , garage: , hall: , lab: }
 persons: {alice: , bob: , anna: }
 """
 SETTINGS = DialogueSettings()
+MINUTE_S = 60.0
+TELEVISION_VOICES = (*VOICES, ("espeak-ng", "en-gb-x-rp"), ("espeak-ng", "en-us+m3"), ("espeak-ng", "en-gb-scotland"))
 
 
 @dataclass
@@ -64,6 +71,23 @@ class Robot:
 
     ears: Union[Ears, WhisperEars]
     reader: CommandReader
+
+
+@dataclass(frozen=True)
+class Room:
+    """How it is said, and where.
+
+    Attributes:
+        speed: words a minute of espeak-ng
+        snr_db: signal-to-noise ratio; None without noise
+        has_echo: whether the room has an echo
+        session: of the voice detector; None for pocketsphinx
+    """
+
+    speed: int
+    snr_db: Optional[float]
+    has_echo: bool
+    session: Any
 
 
 @dataclass
@@ -146,10 +170,12 @@ def wordings(path: Path) -> Iterator[Tuple[str, str]]:
             yield robot, text
 
 
-def said(text: str, voice: Tuple[str, str], speed: int, snr_db: Optional[float], seed: int) -> Optional[bytes]:
+def said(text: str, voice: Tuple[str, str], room: Room, seed: int) -> Optional[bytes]:
     """Return the utterance that the node would hear."""
-    pcm = with_silence(speech(text, voice, speed=speed), before_s=0.8, after_s=0.7)
-    return utterance_in(pcm if snr_db is None else with_noise(pcm, snr_db, seed))
+    pcm = with_silence(speech(text, voice, speed=room.speed), before_s=0.8, after_s=0.7)
+    pcm = with_echo(pcm, seed) if room.has_echo else pcm
+    pcm = pcm if room.snr_db is None else with_noise(pcm, room.snr_db, seed)
+    return utterance_in(pcm, SpeechStream(room.session).feed if room.session is not None else None)
 
 
 def outcome_of(heard: Heard, text: str, meant: Meaning) -> str:
@@ -184,11 +210,13 @@ def _is_meant(offer: Offer, text: str, meant: Meaning) -> bool:
     return meant.offer is not None and offer.means_the_same(meant.offer)
 
 
-def stops(hearing: StopHearing, phrases: Sequence[str], voice: Tuple[str, str], arguments: argparse.Namespace) -> int:
+def stops(
+    hearing: StopHearing, phrases: Sequence[str], voice: Tuple[str, str], room: Room, arguments: argparse.Namespace
+) -> int:
     """Return how many phrases of one voice stop the robot."""
     found = 0
     for number, text in enumerate(phrases):
-        pcm = said(text, voice, arguments.speed, arguments.noise, seed=number)
+        pcm = said(text, voice, room, seed=number)
         stops_it = pcm is not None and bool(hearing.stop_in(pcm))
         found += stops_it
         if arguments.show and stops_it != is_stop(text):
@@ -203,6 +231,9 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--voices", default="flite:slt,flite:rms", help="program:voice, separated by commas")
     parser.add_argument("--speed", type=int, default=150, help="words a minute of espeak-ng")
     parser.add_argument("--noise", type=float, help="signal-to-noise ratio, dB")
+    parser.add_argument("--echo", action="store_true", help="in a room with an echo")
+    parser.add_argument("--alarms", default="", help="count what is done unasked: of silence,noise,talk,television")
+    parser.add_argument("--seconds", type=float, default=3600.0, help="of each of these")
     parser.add_argument("--wordings", type=Path, default=WORDINGS)
     parser.add_argument("--every", type=int, default=1, help="only each so many-th wording")
     parser.add_argument("--stops", action="store_true", help="count stops, and false stops of the wordings")
@@ -216,23 +247,27 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
                 print(f"heard.py: {whisper.problem}", file=sys.stderr)
                 return 2
         spoken_to = robots(arguments.engine, whisper)
+        if arguments.alarms:
+            _count_alarms(arguments, spoken_to["home"].ears)
+            return 0
+        room = Room(arguments.speed, arguments.noise, arguments.echo, load_session() if whisper is not None else None)
         for name in arguments.voices.split(","):
             program, _, voice = name.partition(":")
             if arguments.stops:
-                _count_stops(arguments, spoken_to["turtlebot"].ears, (program, voice))
+                _count_stops(arguments, spoken_to["turtlebot"].ears, (program, voice), room)
             else:
-                print(_score(arguments, spoken_to, (program, voice)).line(name), flush=True)
+                print(_score(arguments, spoken_to, (program, voice), room).line(name), flush=True)
     finally:
         if whisper is not None:
             whisper.close()
     return 0
 
 
-def _score(arguments: argparse.Namespace, spoken_to: Dict[str, Robot], voice: Tuple[str, str]) -> Score:
+def _score(arguments: argparse.Namespace, spoken_to: Dict[str, Robot], voice: Tuple[str, str], room: Room) -> Score:
     score = Score()
     for number, (name, text) in enumerate(list(wordings(arguments.wordings))[:: arguments.every]):
         robot = spoken_to[name]
-        pcm = said(text, voice, arguments.speed, arguments.noise, seed=number)
+        pcm = said(text, voice, room, seed=number)
         began = time.monotonic()
         heard = robot.ears.hear(pcm) if pcm is not None else None
         score.seconds.append(time.monotonic() - began)
@@ -244,14 +279,53 @@ def _score(arguments: argparse.Namespace, spoken_to: Dict[str, Robot], voice: Tu
     return score
 
 
-def _count_stops(arguments: argparse.Namespace, ears: Union[Ears, WhisperEars], voice: Tuple[str, str]) -> None:
+def _count_stops(
+    arguments: argparse.Namespace, ears: Union[Ears, WhisperEars], voice: Tuple[str, str], room: Room
+) -> None:
     hearing = StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
     try:
         phrases = STOPS.read_text(encoding="utf-8").split("\n")[:-1]
-        heard = stops(hearing, phrases, voice, arguments)
+        heard = stops(hearing, phrases, voice, room, arguments)
         others = [text for _, text in wordings(arguments.wordings) if not is_stop(text)][:: arguments.every]
-        false = stops(hearing, others, voice, arguments)
+        false = stops(hearing, others, voice, room, arguments)
         print(f"{':'.join(voice):24} stops {heard} of {len(phrases)}; false stops {false} of {len(others)}", flush=True)
+    finally:
+        hearing.close()
+
+
+def noises(seconds: float) -> Iterator[bytes]:
+    """Yield the noise of a room that becomes louder and quieter, with bangs, a minute at a time."""
+    for minute in range(int(seconds / MINUTE_S)):
+        chance = np.random.default_rng(minute)
+        samples = noise_like_a_room(MINUTE_S, minute)[: int(MINUTE_S * RATE)]
+        samples *= np.repeat(10.0 ** chance.uniform(1.5, 3.5, 12), len(samples) // 12)
+        for at in chance.integers(0, len(samples) - RATE, 10):
+            bang = chance.normal(0.0, 8000.0, RATE // 2) * np.exp(-np.arange(RATE // 2) / (0.05 * RATE))
+            samples[at : at + len(bang)] += bang
+        yield to_pcm(samples)
+
+
+def television(seconds: float) -> Iterator[bytes]:
+    """Yield what a television says, in one voice after the other."""
+    lines = [line for line in TELEVISION.read_text(encoding="utf-8").splitlines() if line and line[0] != "#"]
+    passed_s = 0.0
+    for voice, line in ((voice, line) for voice in itertools.cycle(TELEVISION_VOICES) for line in lines):
+        if passed_s >= seconds:
+            return
+        yield (pcm := with_silence(speech(line, voice), before_s=0.2, after_s=0.8))
+        passed_s += duration_s(pcm)
+
+
+def _count_alarms(arguments: argparse.Namespace, ears: Union[Ears, WhisperEars]) -> None:
+    hearing = StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
+    sources = {"silence": quiet, "noise": noises, "talk": lambda s: talk(s, REPOSITORY), "television": television}
+    try:
+        for name in arguments.alarms.split(","):
+            counts: CounterType[str] = Counter()
+            for number, counts in enumerate(false_alarms(ears, hearing.stop_in, sources[name](arguments.seconds))):
+                if arguments.show and number % 50 == 49:
+                    print(f"  {name} so far: {dict(counts)}", flush=True)
+            print(f"{name}: {dict(counts)}", flush=True)
     finally:
         hearing.close()
 

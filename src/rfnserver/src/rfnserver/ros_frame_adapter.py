@@ -29,7 +29,7 @@ from rfnserver.heeding import heeded_by, listed_elements, refusal_of, spoken, un
 from rfnserver.registration import FrameFit, RequestKind
 from rfnserver.results import BY_CONVENTION, ResultNames, plan_result
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
-from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of, result_type_of
+from rfnserver.ros_goal_messages import fields_in_lists, fields_of, fill, goal_type_of, result_type_of, with_constants
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_registration import Registration, public_name
 from rfnserver.ros_typed_frame import NotedFrame, TypedFrame, typed_frame
@@ -53,15 +53,20 @@ class GoalMaker:
         *,
         mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        constants: Optional[Mapping[str, Any]] = None,
     ) -> None:
         """
         Args:
             goal_type: class of the message to make
             mapping: see :mod:`rfnserver.goal_binding`
             ignored_elements: elements that need not fill a field
+            constants: what each message holds before an element fills a field, also in its lists
+        Raises:
+            ValueError: the message cannot hold the constants
         """
         self._goal_type = goal_type
-        self._fields = fields_of(goal_type)
+        self._constants = dict(constants or {})
+        self._fields = fields_of(goal_type) + fields_in_lists(with_constants(goal_type, self._constants))
         self._mapping = mapping
         self._ignored = tuple(ignored_elements)
         self._defaults: Dict[str, Mapping[str, str]] = {}
@@ -107,7 +112,7 @@ class GoalMaker:
             values = goal_values(plan, arguments, locate=self._places.locate if self._places else _nowhere)
         except (BindingError, UnknownPlace) as error:
             raise ArgumentError(str(error)) from error
-        return fill(self._goal_type(), values)
+        return fill(with_constants(self._goal_type, self._constants), values)
 
 
 def _nowhere(words: str) -> Any:

@@ -1,5 +1,7 @@
 """Fields of ROS messages that are goals, and their values."""
 
+import copy
+import io
 import math
 from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
@@ -28,6 +30,41 @@ def result_type_of(action_type: Any) -> Any:
 def fields_of(message_type: Any) -> Tuple[GoalField, ...]:
     """Return every field of a message type, including those of nested messages."""
     return tuple(_fields(message_type, "", ()))
+
+
+def with_constants(message_type: Any, constants: Mapping[str, Any]) -> Any:
+    """Return a message with the values that it always has: mappings for messages, lists for arrays.
+
+    Raises:
+        ValueError: it has no such field, or the field another type; the message says which
+    """
+    message = message_type()
+    try:
+        genpy.message.fill_message_args(message, [copy.deepcopy(dict(constants))])
+        message.serialize(io.BytesIO())
+    except (genpy.MessageException, ValueError) as error:
+        raise ValueError(f"constants: {error}") from error
+    return message
+
+
+def fields_in_lists(message: Any) -> Tuple[GoalField, ...]:
+    """Return the fields of the messages that stand in lists of a message: "place_locations[0].place_pose"."""
+    return tuple(_fields_in_lists(message, ""))
+
+
+def _fields_in_lists(message: Any, prefix: str) -> Iterator[GoalField]:
+    for name in message.__slots__:
+        value = getattr(message, name)
+        if isinstance(value, genpy.Message):
+            yield from _fields_in_lists(value, f"{prefix}{name}.")
+        elif isinstance(value, list):
+            for index, item in enumerate(value):
+                path = f"{prefix}{name}[{index}]"
+                if isinstance(item, genpy.Message) and item._type in PLACE_TYPES:
+                    yield GoalField(path, item._type, {})
+                elif isinstance(item, genpy.Message):
+                    yield from _fields(type(item), f"{path}.", (type(message),))
+                    yield from _fields_in_lists(item, f"{path}.")
 
 
 def _fields(message_type: Any, prefix: str, above: Tuple[Any, ...]) -> Iterator[GoalField]:
@@ -61,9 +98,15 @@ def fill(message: Any, values: Mapping[str, Any]) -> Any:
         *parents, name = path.split(".")
         holder = message
         for parent in parents:
-            holder = getattr(holder, parent)
-        type_name = holder._slot_types[holder.__slots__.index(name)]
-        setattr(holder, name, _converted(type_name, value))
+            field, _, index = parent.partition("[")
+            holder = getattr(holder, field)
+            holder = holder[int(index.rstrip("]"))] if index else holder
+        field, _, index = name.partition("[")
+        type_name = holder._slot_types[holder.__slots__.index(field)]
+        if index:
+            getattr(holder, field)[int(index.rstrip("]"))] = _converted(base_type(type_name), value)
+        else:
+            setattr(holder, field, _converted(type_name, value))
     return message
 
 

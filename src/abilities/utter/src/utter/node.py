@@ -41,7 +41,7 @@ class Settings(Parameters):
     """Private parameters, checked.
 
     Attributes:
-        aloud: make sound with espeak-ng, if it is installed
+        aloud: make sound with Piper or espeak-ng, if one is installed
         timeout_s: when a sound is cut off
         serves: whether it carries the frames out; otherwise another node of the robot does
         speaks_answers: whether it says the answers to questions

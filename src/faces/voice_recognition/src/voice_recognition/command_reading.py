@@ -2,18 +2,21 @@
 
 import enum
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional
 
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import Knowledge
 from offline_pipeline.pipeline import Pipeline, Understanding
 from typed_arguments import TypedArgument
+from voice_recognition.calling import Calls
 from voice_recognition.offers import Offer, OfferFinder, of_other_person, without_politeness
 from voice_recognition.spoken_language import Words, spoken_words
 from voice_recognition.voice_words import voice_words
 from world_model import World
 
+#: No name by which a robot is called.
+NOBODY = Calls()
 _FIRST_PERSON = frozenset(["I", "I'm", "I'd", "I'll", "I've"])
 _WORD = re.compile(r"[a-z]+(?:['-][a-z]+)*")
 #: What the pipeline would reply to a text that it carries out, and to one that it asks about first.
@@ -48,21 +51,44 @@ class Meaning:
 class CommandReader:
     """Reads texts with the frames, units, servers, names and things of one robot."""
 
-    def __init__(self, pipeline: Pipeline, finder: OfferFinder, known: FrozenSet[str]) -> None:
+    def __init__(
+        self,
+        pipeline: Pipeline,
+        finder: OfferFinder,
+        known: FrozenSet[str],
+        calls: Calls = NOBODY,
+        *,
+        are_several: bool = False,
+    ) -> None:
         """
         Args:
             pipeline: the stages
             finder: knows in which words the robot speaks of its frames
             known: the words that the robot knows, in lower case
+            calls: by which names it is called
+            are_several: whether these are names of several robots: who is called is a part of the command
         """
         self._pipeline = pipeline
         self._finder = finder
         self.known = known
+        self.calls = calls
+        self._are_several = are_several
 
     def read(self, text: str) -> Meaning:
         """Return what the robot makes of a text."""
-        if is_stop(text):
+        behind = self.calls.behind(text)
+        said = text if behind is None else f"{behind[:1].upper()}{behind[1:]}"
+        if is_stop(text) or is_stop(said):
             return Meaning(Sense.STOP)
+        meaning = self._read(said)
+        if behind is None or meaning.offer is None or not self._are_several:
+            return meaning
+        called = text[: len(text) - len(behind)].strip(" ,.!?").lower()
+        offer = meaning.offer
+        elements = tuple(sorted((*offer.elements, ("robot", called))))
+        return replace(meaning, offer=replace(offer, elements=elements, text=text.strip().rstrip(".!?"), deed=""))
+
+    def _read(self, text: str) -> Meaning:
         words = spoken_words(text)
         unknown = tuple(word for word in words if word not in self.known and not word.isdigit())
         understood = self._pipeline.understand_safely(text)
@@ -80,8 +106,9 @@ class CommandReader:
             world: what it knows
             has_new_names: whether their names differ, too
         """
-        known = words_known(self._pipeline.knowledge, world) if has_new_names else self.known
-        return CommandReader(self._pipeline.in_world(world), self._finder, known)
+        known = words_known(self._pipeline.knowledge, world) | self.calls.words if has_new_names else self.known
+        pipeline = self._pipeline.in_world(world)
+        return CommandReader(pipeline, self._finder, known, self.calls, are_several=self._are_several)
 
     def _offer(self, text: str, words: Words, understood: Understanding) -> Offer:
         frames = [self._pipeline.knowledge.frames.get(one.unit.frame_name) for one in understood.readings]
@@ -143,12 +170,17 @@ def _without_names(example: str) -> str:
     return " ".join([first, *(word for word in rest if not word[:1].isupper() or word in _FIRST_PERSON)])
 
 
-def make_reader(pipeline: Pipeline, finder: OfferFinder, world: World) -> CommandReader:
+def make_reader(
+    pipeline: Pipeline, finder: OfferFinder, world: World, calls: Calls = NOBODY, *, are_several: bool = False
+) -> CommandReader:
     """Make a reader for what a robot knows.
 
     Args:
         pipeline: with its frames, units and servers
         finder: of the templates of its language
         world: its things, persons and places
+        calls: by which names it is called
+        are_several: whether these are names of several robots
     """
-    return CommandReader(pipeline.in_world(world), finder, words_known(pipeline.knowledge, world))
+    known = words_known(pipeline.knowledge, world) | calls.words
+    return CommandReader(pipeline.in_world(world), finder, known, calls, are_several=are_several)

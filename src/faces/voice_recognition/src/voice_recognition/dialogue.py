@@ -30,7 +30,7 @@ class DialogueSettings:
         confirm: when it asks; what the two searches did not agree on is always asked
         confirm_frames: the same for single frames
         frames_without_motion: frames that move nothing
-        always_listening: whether it listens without push to talk
+        always_listening: whether it listens without push to talk, to who calls it by a name
         listen_s: seconds that it listens after a push
         think_s: seconds for understanding what was heard
         answer_s: seconds that it waits for an answer
@@ -127,9 +127,17 @@ class SpeechEnded:
 
 @dataclass(frozen=True)
 class Understood:
-    """The searches have ended."""
+    """The searches have ended.
+
+    Attributes:
+        heard: what they heard
+        is_called: whether it begins with a name of the robot
+        is_call_only: whether it is nothing else
+    """
 
     heard: Heard
+    is_called: bool = False
+    is_call_only: bool = False
 
 
 @dataclass(frozen=True)
@@ -211,6 +219,8 @@ class Stop:
 Action = Union[Say, Command, Stop]
 Step = Tuple[State, Tuple[Action, ...]]
 
+#: When somebody calls the robot, and says nothing else.
+CALLED = "Yes?"
 AGAIN = "Please say that again."
 YES_OR_NO = "Please say yes or no."
 ALL_RIGHT = "All right, I will not do it."
@@ -266,7 +276,7 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
     if isinstance(state, (Confirming, Replying)):
         return _heard_answer(state, event.heard, now, settings)
     if isinstance(state, Listening):
-        return _heard_command(state, event.heard, now, settings)
+        return _heard_command(state, event, now, settings)
     return state, ()
 
 
@@ -328,19 +338,24 @@ def _expired(state: State, now: float, settings: DialogueSettings) -> Step:
     return begin(settings), (Say(NOT_ANSWERED),) if isinstance(state, Confirming) else ()
 
 
-def _heard_command(state: Listening, heard: Heard, now: float, settings: DialogueSettings) -> Step:
+def _heard_command(state: Listening, event: Understood, now: float, settings: DialogueSettings) -> Step:
+    heard = event.heard
     if heard.is_stop:
         return begin(settings), (Stop(heard.is_emergency),)
-    if settings.always_listening and (heard.is_refused or heard.verdict is Verdict.NOTHING):
+    if state.until == NEVER_S and not event.is_called:
         return state, ()  # talk that is not for the robot
+    if event.is_call_only:
+        return Listening(now + settings.listen_s), (Say(CALLED),)
     if heard.offers:
         return _offered(heard, now, settings)
+    if state.until == NEVER_S and heard.verdict is Verdict.NOTHING:
+        return state, ()  # talk about the robot
     return _again(state, now, settings, Say(AGAIN))
 
 
 def _again(state: Listening, now: float, settings: DialogueSettings, sentence: Say) -> Step:
-    if state.repeats >= settings.most_repeats or settings.always_listening:
-        return begin(settings), (sentence,) if not settings.always_listening else ()
+    if state.repeats >= settings.most_repeats:
+        return begin(settings), (sentence,)
     return Listening(now + settings.listen_s, state.repeats + 1), (sentence,)
 
 

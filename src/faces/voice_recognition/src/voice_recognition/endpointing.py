@@ -1,8 +1,8 @@
-"""Finds where somebody speaks: energy above the noise of the room, with hysteresis."""
+"""Finds where somebody speaks: energy above the noise of the room, with hysteresis. Silero helps to find its end."""
 
 from collections import deque
 from dataclasses import dataclass
-from typing import Deque, List, Optional, Tuple
+from typing import Callable, Deque, List, Optional, Tuple
 
 import numpy as np
 
@@ -16,6 +16,10 @@ _BYTES = int(RATE * FRAME_S) * 2
 _QUIET_SHARE = 10
 #: Frames that begin an utterance: so many loud ones of so many.
 _LOUD, _OF = 4, 6
+#: From this probability on, somebody speaks; and frames after which what is loud is no voice any more.
+_VOICE, _VOICE_LASTS = 0.4, 6
+#: Returns the probability that somebody speaks at the end of a stream, of which it takes the next part.
+VoiceDetector = Callable[[bytes], float]
 
 
 @dataclass(frozen=True)
@@ -64,12 +68,21 @@ class Utterance:
 class Endpointer:
     """Divides a stream into utterances."""
 
-    def __init__(self, settings: EndpointSettings = EndpointSettings(), noise_db: Optional[float] = None) -> None:
+    def __init__(
+        self,
+        settings: EndpointSettings = EndpointSettings(),
+        noise_db: Optional[float] = None,
+        voice: Optional[VoiceDetector] = None,
+    ) -> None:
         """
         Args:
             settings: when an utterance begins and ends
             noise_db: the noise of the room, when it is known; otherwise the stream has to begin with it
+            voice: tells noise from a voice, so that noise which goes on does not make an utterance longer. A voice that
+                it does not know ends by its energy alone
         """
+        self._voice = voice
+        self._last_voice = -1
         self._settings = settings
         self._rest = b""
         self._frames = 0
@@ -129,6 +142,8 @@ class Endpointer:
         self._frames += 1
         level = max(speech_level_db(to_samples(frame)), settings.quietest_db - settings.begin_db)
         self._levels.append(level)
+        if self._voice is not None and self._voice(frame) >= _VOICE:
+            self._last_voice = self._frames
         noise = self.noise_db
         if not self._said:
             self._before.append(frame)
@@ -138,7 +153,7 @@ class Endpointer:
                 self._begin, self._last_loud = self._frames - len(self._loud), self._frames
             return None
         self._said.append(frame)
-        if level > noise + settings.end_db:
+        if level > noise + settings.end_db and not self._is_only_noise():
             self._last_loud, self._pause = self._frames, None
         quiet = self._frames - self._last_loud
         if quiet == round(settings.pause_s / FRAME_S):
@@ -148,6 +163,10 @@ class Endpointer:
         if len(self._said) * FRAME_S >= settings.longest_s:
             return self._end(is_cut=True)
         return None
+
+    def _is_only_noise(self) -> bool:
+        """Whether a voice that was known in this utterance is heard no more."""
+        return self._begin <= self._last_voice < self._frames - _VOICE_LASTS
 
     def _end(self, *, is_cut: bool) -> Optional[Utterance]:
         found = self._utterance(is_cut=is_cut)

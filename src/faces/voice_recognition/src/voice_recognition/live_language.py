@@ -23,6 +23,7 @@ class Knowledge:
         frame_files: of the frame catalogue
         served: frames with a live server
         servers: these servers: frame, topic, and what the server states
+        robots: names of the robots that are spoken to, if there are several
         names: what it knows, with the semantic types of each
     """
 
@@ -31,6 +32,7 @@ class Knowledge:
     served: FrozenSet[str] = frozenset()
     names: Tuple[Tuple[str, Tuple[str, ...]], ...] = ()
     servers: Tuple[Tuple[str, str, ServerProfile], ...] = ()
+    robots: Tuple[str, ...] = ()
 
 
 class LanguageMaker:

@@ -9,6 +9,7 @@ from offline_pipeline.knowledge import load_texts
 from offline_pipeline.pipeline import Pipeline
 from semantic_types import WordTypes, shipped_types
 from stanford_parser_ros.model import Parser, shipped_parser
+from voice_recognition.calling import Calls
 from voice_recognition.command_reading import CommandReader, make_reader
 from voice_recognition.live_language import File, Knowledge, known_names
 from voice_recognition.offers import OfferFinder
@@ -22,13 +23,14 @@ class ReaderMaker:
         self._parser: Optional[Parser] = None
         self._read: Tuple[Tuple[Tuple[File, ...], Tuple[File, ...]], Optional[Files]] = (((), ()), None)
 
-    def make(self, knowledge: Knowledge, finder: OfferFinder, world: World) -> CommandReader:
+    def make(self, knowledge: Knowledge, finder: OfferFinder, world: World, calls: Calls) -> CommandReader:
         """Make a reader.
 
         Args:
             knowledge: what the robot knows
             finder: of the templates of its language
             world: its things, persons and places
+            calls: by which names it is called, or they are
         Raises:
             ModelError: the models of the parser cannot be loaded
             NoWordNet: the database of nouns is not installed
@@ -42,7 +44,8 @@ class ReaderMaker:
         for frame_name, server, profile in knowledge.servers:
             graph.register(frame_name, server, profile)
         types = WordTypes(shipped_types().nouns, known_names(knowledge.names))
-        return make_reader(Pipeline(replace(files, graph=graph, types=types), self._parser), finder, world)
+        pipeline = Pipeline(replace(files, graph=graph, types=types), self._parser)
+        return make_reader(pipeline, finder, world, calls, are_several=bool(knowledge.robots))
 
     def _files(self, knowledge: Knowledge) -> Files:
         key = (knowledge.frame_files, knowledge.unit_files)

@@ -18,6 +18,7 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from utter.ros_voice import Voice
 from voice_recognition import dialogue
 from voice_recognition.agreement import Heard, Verdict, answer_of
+from voice_recognition.calling import understood
 from voice_recognition.dialogue import (
     Answered,
     Asked,
@@ -87,7 +88,7 @@ class VoiceRecognition:
         self._reply_ears: Optional[ReplyEars] = None
         self._commands = SearchThread("commands")
         self._whisper = _whisper(settings.engine)
-        self._speakable = SpeakableCommands(self._commands, self._whisper)
+        self._speakable = SpeakableCommands(self._commands, self._whisper, settings.wake_words)
         self._question = rospy.Publisher("voice_question", String, queue_size=1, latch=True)
         self._state_publisher = rospy.Publisher("voice_state", String, queue_size=1, latch=True)
         self._heard = rospy.Publisher("voice_heard", String, queue_size=10)
@@ -282,7 +283,7 @@ class VoiceRecognition:
         began = time.monotonic()
         heard = self._early.heard(utterance, how, hear)
         self._tell(heard, time.monotonic() - began)
-        self._happened(Understood(heard))
+        self._happened(understood(heard, self._speakable.calls))
 
     def _tell(self, heard: Heard, seconds: float) -> None:
         words = " ".join(heard.by_grammar)

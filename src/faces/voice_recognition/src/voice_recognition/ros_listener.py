@@ -2,21 +2,30 @@
 
 import threading
 import time
-from typing import Callable, Optional, Tuple
+from typing import Callable, Optional, Tuple, TypeVar
 
 import rospy
 
 from voice_recognition.early_hearing import EarlyHearing
-from voice_recognition.endpointing import Endpointer, Utterance
-from voice_recognition.microphone import Microphone, arecord_command
+from voice_recognition.endpointing import Endpointer, Utterance, VoiceDetector
+from voice_recognition.microphone import OTHER_RATE, Microphone, SoundSource, arecord_command
+from voice_recognition.own_voice import OwnVoice
 from voice_recognition.recogniser import NoRecogniser, model_dictionary
+from voice_recognition.ros_audio import TopicMicrophone
 from voice_recognition.ros_search_thread import SearchThread
 from voice_recognition.settings import Settings
+from voice_recognition.sound import clipped_share
+from voice_recognition.speech_detection import SpeechStream, load_session
 from voice_recognition.spotting import LONGEST_S, StopSpotter
 from voice_recognition.stop_hearing import OtherOpinion, StopHearing
+from voice_recognition.whisper_model import NoWhisper
 
 #: Seconds before the microphone is tried again.
 RETRY_S = 10.0
+#: Share of a sound from which on it is told that it is cut off, and seconds between two such lines of the log.
+CLIPPED, WARN_S = 0.01, 60.0
+
+Given = TypeVar("Given")
 
 
 class Listener:
@@ -55,49 +64,71 @@ class Listener:
         threading.Thread(target=self._run, daemon=True).start()
 
     def _run(self) -> None:
-        is_said = False
+        said = ""
         while not rospy.is_shutdown():
             settings = self._settings()
             command = settings.microphone or arecord_command(settings.device)
-            if command is not None and self._listen_to(command):
-                is_said = False
-            elif not is_said:
-                is_said = True
-                rospy.loginfo("no microphone input (sound card?); running without voice")
+            has_sound, complaint = False, "arecord is not installed"
+            if settings.audio_topic:
+                has_sound, complaint = self._listen_to(settings.audio_topic, TopicMicrophone, settings.audio_topic)
+            elif command is not None:
+                has_sound, complaint = self._listen_to(command[0], Microphone, command)
+            complaint = complaint or "sound card?"
+            if has_sound:
+                rospy.logwarn("the microphone has ended (%s), and is tried again", complaint)
+            elif said != complaint:
+                rospy.loginfo("no microphone input (%s); running without voice", complaint)
+            said = "" if has_sound else complaint
             time.sleep(RETRY_S)
 
-    def _listen_to(self, command: Tuple[str, ...]) -> bool:
-        """Listen to a microphone until it ends; return whether it made any sound."""
+    def _listen_to(self, name: str, open_source: Callable[[Given], SoundSource], given: Given) -> Tuple[bool, str]:
+        """Listen to a microphone until it ends; return whether it made any sound, and what it said is wrong."""
         try:
             spotter = StopSpotter(model_dictionary())
-            microphone = Microphone(command)
+            source = open_source(given)
         except (NoRecogniser, OSError) as reason:
-            rospy.logwarn("%s", reason)
-            return False
+            return False, str(reason)
         hearing = StopHearing(spotter, self._stop_by_whisper)
-        endpointer = Endpointer()
+        endpointer, own_voice = Endpointer(voice=self._voice_detector()), OwnVoice()
         has_sound = False
         try:
-            for part in microphone.parts():
+            for part in source.parts():
                 if rospy.is_shutdown():
-                    return True
+                    return True, ""
                 if not has_sound:
+                    if OTHER_RATE in source.complaint:
+                        return False, source.complaint
                     has_sound = True
-                    rospy.loginfo("listening to %s", command[0])
-                if self._is_robot_speaking() and not self._may_robot_say_stop():
+                    rospy.loginfo("listening to %s", name)
+                is_speaking = self._is_robot_speaking()
+                own_voice.follow(endpointer.time_s, is_speaking=is_speaking)
+                if is_speaking and not self._may_robot_say_stop():
                     self._stops.later(lambda part=part: self._look_for_stop(spotter, part))
                 for utterance in endpointer.feed(part):
                     if self._may_be_stop(utterance):
                         self._stops.later(lambda utterance=utterance: self._check_for_stop(hearing, utterance))
-                    self._on_utterance(utterance)
+                    if not own_voice.is_own(utterance):
+                        _warn_of_bad_sound(utterance)
+                        self._on_utterance(utterance)
                 pause = endpointer.take_pause()
                 if pause is not None:
                     self._search_early(hearing, pause)
-                    self._on_pause(pause)
+                    if not own_voice.is_own(pause):
+                        self._on_pause(pause)
+            return has_sound, source.complaint
         finally:
-            microphone.close()
+            source.close()
             hearing.close()
-        return has_sound
+
+    def _voice_detector(self) -> Optional[VoiceDetector]:
+        """Return what tells a voice from noise, where Whisper hears."""
+        if self._stop_by_whisper is None:
+            return None
+        try:
+            return SpeechStream(load_session()).feed
+        except NoWhisper as reason:
+            rospy.logwarn("the end of what is said is found by its loudness alone: %s", reason)
+            return None
 
     def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
         """Look for a stop in the stream while the robot speaks."""
@@ -122,3 +153,10 @@ class Listener:
         """Whether an utterance is short enough for a stop, and not the robot's own."""
         is_own = self._is_robot_speaking() and self._may_robot_say_stop()
         return utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own
+
+
+def _warn_of_bad_sound(utterance: Utterance) -> None:
+    if clipped_share(utterance.pcm) > CLIPPED:
+        rospy.logwarn_throttle(WARN_S, "the microphone is too loud, and its sound is cut off: lower its gain")
+    if utterance.is_cut:
+        rospy.logwarn_throttle(WARN_S, "the sound has no pause: it is heard in parts")

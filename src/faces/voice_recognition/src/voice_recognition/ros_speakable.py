@@ -3,15 +3,17 @@
 import threading
 import time
 from dataclasses import replace
-from typing import FrozenSet, Optional, Union
+from typing import FrozenSet, Optional, Sequence, Union
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, FrameServers, KnownNames, Lexicon
+from roboframenet_msgs.msg import Fleet, FrameCallback, FrameCatalogue, FrameServers, KnownNames, Lexicon
 from roboframenet_msgs.msg import World as WorldMessage
 
+from roboframenet_ros.ros_robots import own_robot
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_types import NoWordNet
 from stanford_parser_ros.inference import ModelError
+from voice_recognition.calling import Calls
 from voice_recognition.command_reading import CommandReader
 from voice_recognition.ears import Ears, make_shipped_ears
 from voice_recognition.live_language import Knowledge, LanguageMaker
@@ -33,15 +35,19 @@ class SpeakableCommands:
 
     Subscribes:
         lexicon (Lexicon), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), known_names (KnownNames),
-        world (World), if Whisper hears
+        world (World), fleet (Fleet), if Whisper hears
     """
 
-    def __init__(self, maker_thread: SearchThread, whisper: Optional[Hearer]) -> None:
+    def __init__(self, maker_thread: SearchThread, whisper: Optional[Hearer], names: Sequence[str]) -> None:
         """
         Args:
             maker_thread: makes the searches
             whisper: hears; None if pocketsphinx does
+            names: by which the robot is called
         """
+        own = own_robot()
+        self._is_of_one_robot = bool(own)
+        self._names = (*names, own)
         self._maker_thread = maker_thread
         self._whisper = whisper
         self._world = World()
@@ -61,11 +67,17 @@ class SpeakableCommands:
         ]
         if whisper is not None:
             self._subscribers.append(rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1))
+            self._subscribers.append(rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1))
 
     @property
     def ears(self) -> Optional[AnyEars]:
         """The searches for what can be said; None before there are any."""
         return self._ears
+
+    @property
+    def calls(self) -> Calls:
+        """The names by which the robot is called, or the robots are."""
+        return Calls((*self._names, *self._knowledge.robots))
 
     def turn(self) -> None:
         """Make the searches anew if what can be said has changed, and changes no more; called now and then."""
@@ -98,7 +110,7 @@ class SpeakableCommands:
             return
         self._reader = self._reader.in_world(world, has_new_names=has_new_names)
         if has_new_names:
-            self._ears = make_whisper_ears(ears.by_pocketsphinx, self._whisper, self._reader, world)
+            self._ears = make_whisper_ears(ears.by_pocketsphinx, self._whisper, self._reader, world, self.calls.names)
         else:
             ears.read_by(self._reader)
 
@@ -110,10 +122,20 @@ class SpeakableCommands:
 
     def _on_servers(self, message: FrameServers) -> None:
         alive = [one for one in message.callbacks if one.is_alive]
+        servers = {(one.frame_name, _topic(one)): one.profile for one in alive}
         self._know(
             served=frozenset(one.frame_name for one in alive),
-            servers=tuple((one.frame_name, one.callback_topic, profile_from_message(one.profile)) for one in alive),
+            # What any robot of a fleet can do can be said: who is to do it is decided later.
+            servers=tuple(
+                (frame, topic, replace(profile_from_message(profile), robot=""))
+                for (frame, topic), profile in servers.items()
+            ),
         )
+
+    def _on_fleet(self, message: Fleet) -> None:
+        if not self._is_of_one_robot:
+            names = (name for robot in message.robots for name in (robot.name, *robot.spoken_names))
+            self._know(robots=tuple(dict.fromkeys(names)))
 
     def _on_names(self, message: KnownNames) -> None:
         self._know(names=tuple((known.name, tuple(known.semantic_types)) for known in message.names))
@@ -133,8 +155,9 @@ class SpeakableCommands:
             language = self._maker.make(knowledge)
             ears: AnyEars = make_shipped_ears(language)
             if self._whisper is not None:
-                self._reader = self._readers.make(knowledge, ears.finder, world)
-                ears = make_whisper_ears(ears, self._whisper, self._reader, world)
+                calls = self.calls
+                self._reader = self._readers.make(knowledge, ears.finder, world, calls)
+                ears = make_whisper_ears(ears, self._whisper, self._reader, world, calls.names)
             self._ears = ears
         except (NoRecogniser, NoWordNet, ModelError) as reason:
             rospy.logerr("no command can be heard: %s", reason)
@@ -145,6 +168,12 @@ class SpeakableCommands:
             len(language.vocabulary()),
             time.monotonic() - began,
         )
+
+
+def _topic(callback: FrameCallback) -> str:
+    """Return the topic of a server in the namespace of its robot."""
+    robot, topic = callback.profile.robot, str(callback.callback_topic)
+    return topic[len(f"/{robot}/") :] if robot and topic.startswith(f"/{robot}/") else topic
 
 
 def _names(world: World) -> FrozenSet[str]:

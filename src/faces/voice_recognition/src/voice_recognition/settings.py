@@ -24,10 +24,12 @@ class Settings(Parameters):
         engine: the recogniser: ``whisper``, ``pocketsphinx``, or ``auto`` for Whisper where it is installed
         microphone: program that writes sound (16 kHz, 16 bit, mono) and its arguments; empty for arecord
         device: of ALSA, for arecord; empty for the default one
+        audio_topic: of audio_common, whose sound is heard in place of a microphone; empty for none
         listening: ``push`` (only after a push to talk, and for answers) or ``always``
+        wake_words: names by which the robot is called; while it listens always, a command begins with one
         confirm: when the robot asks before it does what it heard
         confirm_always, confirm_never: frames for which that is different
-        aloud: make sound with espeak-ng, if it is installed
+        aloud: make sound with Piper or espeak-ng, if one is installed
         speak_replies: say the reply to each command
         voice_id: name of this microphone among the voices of REP 155
         listen_s: how long it listens after a push
@@ -40,7 +42,9 @@ class Settings(Parameters):
     engine: Engine = parameter(Engine.AUTO)
     microphone: Tuple[str, ...] = parameter(())
     device: str = parameter("")
+    audio_topic: str = parameter("")
     listening: Listening = parameter(Listening.PUSH, is_live=True)
+    wake_words: Tuple[str, ...] = parameter(("robot",))
     confirm: Confirm = parameter(Confirm.MOTION, is_live=True)
     confirm_always: Tuple[str, ...] = parameter(())
     confirm_never: Tuple[str, ...] = parameter(())

@@ -15,6 +15,8 @@ Samples = npt.NDArray[np.float64]
 _TAPS = 24
 #: Lowest frequency of a voice that counts for its level, Hz.
 LOWEST_HZ = 150.0
+#: Samples of this size may have been cut off.
+_LOUDEST = 32700.0
 #: Longest file, seconds.
 LONGEST_S = 3600.0
 
@@ -94,6 +96,12 @@ def resample(samples: Samples, rate: int, new_rate: int) -> Samples:
 def duration_s(pcm: bytes) -> float:
     """Return how long a sound is, in seconds."""
     return len(pcm) / 2 / RATE
+
+
+def clipped_share(pcm: bytes) -> float:
+    """Return which share of a sound is as loud as it can be: what was louder was cut off."""
+    samples = to_samples(pcm)
+    return float(np.mean(np.abs(samples) >= _LOUDEST)) if len(samples) else 0.0
 
 
 def level_db(samples: Samples) -> float:

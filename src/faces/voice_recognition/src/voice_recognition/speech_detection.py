@@ -32,21 +32,55 @@ def detector_file() -> Path:
     return path
 
 
+def load_session() -> Any:
+    """Return the loaded model, on one thread.
+
+    Raises:
+        NoWhisper: it is not installed, or another model is
+    """
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.inter_op_num_threads = options.intra_op_num_threads = 1
+    return onnxruntime.InferenceSession(str(detector_file()), options, providers=["CPUExecutionProvider"])
+
+
+class SpeechStream:
+    """How likely somebody speaks now, in a stream. Not thread-safe."""
+
+    def __init__(self, session: Any) -> None:
+        """
+        Args:
+            session: of :func:`load_session`; it may be shared
+        """
+        self._session = session
+        self._before = np.zeros(BEFORE, np.float32)
+        self._rest = np.zeros(0, np.float32)
+        self._state = np.zeros((1, 1, _STATE), np.float32), np.zeros((1, 1, _STATE), np.float32)
+        self._speech = 0.0
+
+    def feed(self, pcm: bytes) -> float:
+        """Take the next sound; return the probability of speech in its last part of 32 ms."""
+        self._rest = np.concatenate([self._rest, to_unit_samples(pcm)])
+        while len(self._rest) >= PART:
+            part, self._rest = self._rest[:PART], self._rest[PART:]
+            given = np.concatenate([self._before, part])[None]
+            (speech, *state) = self._session.run(None, {"input": given, "h": self._state[0], "c": self._state[1]})
+            self._state = state[0], state[1]
+            self._before = part[-BEFORE:]
+            self._speech = float(np.max(speech))
+        return self._speech
+
+
 class SpeechDetector:
-    """The loaded model, on one thread."""
+    """Looks at whole sounds."""
 
     def __init__(self) -> None:
         """
         Raises:
             NoWhisper: it is not installed, or another model is
         """
-        import onnxruntime
-
-        options = onnxruntime.SessionOptions()
-        options.inter_op_num_threads = options.intra_op_num_threads = 1
-        self._session: Any = onnxruntime.InferenceSession(
-            str(detector_file()), options, providers=["CPUExecutionProvider"]
-        )
+        self._session = load_session()
 
     def most_speech(self, pcm: bytes) -> float:
         """Return the highest probability of speech in a part of a sound; parts are 32 ms long."""

@@ -18,6 +18,7 @@ class VoiceWords:
 
     Attributes:
         polite_before, polite_after: phrases around a command
+        greetings: phrases before the name of a robot that is called
         small_numbers: names of 0 to 19
         tens: names of 20, 30 to 90
         hundred: name of 100
@@ -25,7 +26,8 @@ class VoiceWords:
         before_things: words that begin a filler
         other_person: words that change when the robot repeats what a person says of himself
         answers: phrases by the name of an answer
-        stop: phrases that stop the robot
+        stop: phrases that stop the robot, for the searches of pocketsphinx
+        cries: phrases that stop the robot, of which Whisper says how likely they were said
         frames_without_motion: frames that move nothing
         other_words: words of talk
         sounds: ARPAbet of espeak-ng's mnemonics
@@ -33,6 +35,7 @@ class VoiceWords:
 
     polite_before: Tuple[Words, ...]
     polite_after: Tuple[Words, ...]
+    greetings: Tuple[str, ...]
     small_numbers: Words
     tens: Words
     hundred: str
@@ -41,6 +44,7 @@ class VoiceWords:
     other_person: Mapping[str, str]
     answers: Mapping[str, Tuple[Words, ...]]
     stop: Tuple[Words, ...]
+    cries: Tuple[Words, ...]
     frames_without_motion: FrozenSet[str]
     other_words: Words
     sounds: Mapping[str, Words]
@@ -57,6 +61,7 @@ def voice_words() -> VoiceWords:
     return VoiceWords(
         polite_before=_phrases(data["polite_before"]),
         polite_after=_phrases(data["polite_after"]),
+        greetings=tuple(data["greetings"]),
         small_numbers=tuple(data["small_numbers"].split()),
         tens=tuple(data["tens"].split()),
         hundred=data["hundred"],
@@ -65,6 +70,7 @@ def voice_words() -> VoiceWords:
         other_person=dict(data["other_person"]),
         answers={name: _phrases(phrases) for name, phrases in data["answers"].items()},
         stop=_phrases(data["stop"]),
+        cries=_phrases(data["cries"]),
         frames_without_motion=frozenset(data["frames_without_motion"].split()),
         other_words=tuple(dict.fromkeys(data["other_words"].split())),
         sounds={str(name): tuple(sounds.split()) for name, sounds in data["sounds"].items()},

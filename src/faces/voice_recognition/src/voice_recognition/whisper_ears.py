@@ -12,7 +12,8 @@ from voice_recognition.offers import OfferFinder
 from voice_recognition.recogniser import model_dictionary
 from voice_recognition.sound_alike import SoundAlikes, variants
 from voice_recognition.spoken_language import Words, spoken_words
-from voice_recognition.spotting import stop_text
+from voice_recognition.spotting import CLEAR_DB, clearness_and_length, stop_text
+from voice_recognition.voice_words import voice_words
 from voice_recognition.whisper_client import NotHeard
 from voice_recognition.whisper_model import Sentence, Transcript
 from world_model import World
@@ -24,6 +25,8 @@ NO_SPEECH = 0.6
 ANSWER_PER_TOKEN = -1.3
 #: So many words are no stop that was misheard.
 FEWEST_WORDS_OF_TALK = 4
+#: The logarithm of how much less likely a stop may be than what was heard, where that is nothing to the robot.
+CRY_BEHIND = 6.0
 #: Sentences that only sound like what was heard: those that are read, and of these those that are scored, at most.
 MOST_READ, MOST_SCORED = 24, 8
 #: Names in the prompt, at most.
@@ -34,6 +37,7 @@ PROMPT = (
     "Go to the kitchen, turn left 90 degrees, move forward 2 metres, bring me the mug."
 )
 NAMES_PROMPT = "Follow {names}."
+CALLED_PROMPT = "{name}, come here."
 
 
 class Hearer(Protocol):
@@ -98,7 +102,7 @@ class WhisperEars:
     def hear(self, pcm: bytes) -> Heard:
         """Hear a command."""
         try:
-            return self._chosen(self._transcript(pcm))
+            return self._chosen(self._transcript(pcm), pcm)
         except NotHeard:
             return self._ears.hear(pcm)
 
@@ -120,7 +124,7 @@ class WhisperEars:
             answer = _answer(transcript, ways)
             if answer:
                 return Heard(Verdict.SURE, (), words, words, answer=answer)
-            command = self._chosen(transcript)
+            command = self._chosen(transcript, pcm)
         except NotHeard:
             return otherwise(pcm)
         if command.is_stop or command.verdict is Verdict.SURE:
@@ -139,8 +143,17 @@ class WhisperEars:
         chosen = choose([Candidate(one, self._reader.read(one.text)) for one in heard])
         if chosen.is_stop:
             return stop_text(chosen.by_grammar)
-        is_other = self._is_clearly_other(heard[0]) and not any(is_stop(one.text) for one in heard)
-        return "" if is_other else None
+        if self._is_clearly_other(heard[0]) and not any(is_stop(one.text) for one in heard):
+            return ""
+        return self._cry_in(transcript, heard[0])
+
+    def _cry_in(self, transcript: Transcript, heard: Sentence) -> Optional[str]:
+        """Return the stop that is nearly as likely as what was heard; None if there is none."""
+        cries = self._hearer.score(transcript.sound, [" ".join(words) for words in voice_words().cries])
+        likeliest = max(cries, key=lambda one: one.log_probability, default=None)
+        if likeliest is None or likeliest.log_probability < heard.log_probability - CRY_BEHIND:
+            return None
+        return stop_text(spoken_words(likeliest.text))
 
     def _is_clearly_other(self, sentence: Sentence) -> bool:
         """Whether what was heard is a command, or a sentence of talk: one or two words may be a stop, misheard."""
@@ -156,7 +169,7 @@ class WhisperEars:
                 self._last = (pcm, self._hearer.hear(pcm, self._prompt))
             return self._last[1]
 
-    def _chosen(self, transcript: Transcript) -> Heard:
+    def _chosen(self, transcript: Transcript, pcm: bytes) -> Heard:
         if transcript.no_speech > NO_SPEECH or not transcript.sentences:
             return Heard(Verdict.NOTHING)
         heard = _spelled_once(transcript.sentences)
@@ -164,11 +177,19 @@ class WhisperEars:
         best = max(candidates, key=lambda one: one.weight)
         if best.meaning.sense >= Sense.COMMAND and not best.meaning.unknown and best.sentence is heard[0]:
             return choose(candidates)
-        more = self._more_meanings(heard)
+        more = {**self._more_meanings(heard), **self._meaning_by_grammar(pcm)}
         candidates += [
             Candidate(one, more[one.text], is_heard=False) for one in self._hearer.score(transcript.sound, list(more))
         ]
         return choose(candidates)
+
+    def _meaning_by_grammar(self, pcm: bytes) -> Dict[str, Meaning]:
+        """Return what pocketsphinx hears in noise: forced into a grammar of commands, it misses them less often."""
+        if clearness_and_length(pcm)[0] >= CLEAR_DB:
+            return {}
+        text = self._alikes.written(self._ears.hear(pcm).by_grammar)
+        meaning = self._reader.read(text) if text else Meaning(Sense.NONE)
+        return {text: meaning} if meaning.sense in (Sense.ASKED, Sense.COMMAND) else {}
 
     def _more_meanings(self, heard: Sequence[Sentence]) -> Dict[str, Meaning]:
         """Return what sounds like what was heard, where the robot makes something of it."""
@@ -212,17 +233,22 @@ def _answer(transcript: Transcript, ways: Mapping[str, Tuple[Words, ...]]) -> st
     return said if found == {said} and first.per_token >= ANSWER_PER_TOKEN else ""
 
 
-def prompt_with(names: Sequence[str]) -> str:
+def prompt_with(names: Sequence[str], called: Sequence[str] = ()) -> str:
     """Return what Whisper reads before it hears.
 
     Args:
         names: of persons, that the robot knows
+        called: names by which it is called
     """
+    calls = [CALLED_PROMPT.format(name=name.title()) for name in called[:MOST_NAMES]]
     persons = sorted(names)[:MOST_NAMES]
-    return f"{PROMPT} {NAMES_PROMPT.format(names=', '.join(persons))}" if persons else PROMPT
+    follow = [NAMES_PROMPT.format(names=", ".join(persons))] if persons else []
+    return " ".join([*calls, PROMPT, *follow])
 
 
-def make_whisper_ears(ears: Ears, hearer: Hearer, reader: Reader, world: World) -> WhisperEars:
+def make_whisper_ears(
+    ears: Ears, hearer: Hearer, reader: Reader, world: World, called: Sequence[str] = ()
+) -> WhisperEars:
     """Make ears with the dictionary of pocketsphinx.
 
     Args:
@@ -230,11 +256,14 @@ def make_whisper_ears(ears: Ears, hearer: Hearer, reader: Reader, world: World) 
         hearer: Whisper
         reader: what the robot makes of a text
         world: whose persons are named to Whisper
+        called: names by which the robot is called
     Raises:
         NoRecogniser: pocketsphinx is not installed
     """
     persons = [(one.name or one.id).capitalize() for one in world.objects if one.sort is Sort.PERSON]
     places = [name for one in world.objects if one.sort is Sort.PLACE for name in one.names]
-    names = [word for name in (*persons, *places) for word in name.split()]
+    # "Robot" is said to any robot.
+    unusual = [name for name in called if (name.lower(),) not in voice_words().polite_before]
+    names = [word for name in (*persons, *places, *map(str.title, unusual)) for word in name.split()]
     alikes = SoundAlikes(reader.known, names, model_dictionary())
-    return WhisperEars(ears, hearer, reader, alikes, prompt_with(persons))
+    return WhisperEars(ears, hearer, reader, alikes, prompt_with(persons, unusual))

@@ -91,16 +91,25 @@ def model_folder() -> Path:
     Raises:
         NoWhisper: something is not installed, or another model is
     """
+    folder = installed_folder()
+    for name, wanted in SUMS.items():
+        if checksum(folder / name) != wanted:
+            raise NoWhisper(f"{folder / name} is not the file of the model tiny.en that is known here")
+    return folder
+
+
+def installed_folder() -> Path:
+    """Return the folder of a model that has been checked already.
+
+    Raises:
+        NoWhisper: something is not installed
+    """
     missing = [name for name in (*LIBRARIES, PACKAGE) if importlib.util.find_spec(name) is None]
     if missing:
         raise NoWhisper(f"Whisper is not installed: {', '.join(missing)} ({HOW_TO_INSTALL})")
     spec = importlib.util.find_spec(PACKAGE)
     assert spec is not None
-    folder = Path(next(iter(spec.submodule_search_locations or ("",)))) / FOLDER
-    for name, wanted in SUMS.items():
-        if checksum(folder / name) != wanted:
-            raise NoWhisper(f"{folder / name} is not the file of the model tiny.en that is known here")
-    return folder
+    return Path(next(iter(spec.submodule_search_locations or ("",)))) / FOLDER
 
 
 def checksum(path: Path) -> str:
@@ -185,9 +194,9 @@ def spelled(text: str) -> str:
 
 @lru_cache(maxsize=1)
 def shared_model() -> WhisperModel:
-    """Return the one model of this process.
+    """Return the one model of this process. Who starts the process has checked its files.
 
     Raises:
         NoWhisper: it cannot run here
     """
-    return WhisperModel(model_folder())
+    return WhisperModel(installed_folder())

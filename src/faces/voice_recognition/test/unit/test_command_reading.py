@@ -4,6 +4,7 @@ import pytest
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
+from voice_recognition.calling import Calls
 from voice_recognition.command_reading import CommandReader, Sense, make_reader
 from voice_recognition.live_language import Knowledge
 from voice_recognition.live_reader import ReaderMaker
@@ -37,6 +38,19 @@ def test_a_stop_is_a_stop(reader: CommandReader) -> None:
         assert reader.read(text).sense is Sense.STOP
 
 
+def test_the_name_by_which_a_robot_is_called_is_no_part_of_the_command() -> None:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    reader = make_reader(Pipeline(knowledge), FINDER, World(), Calls(["Rosie"]))
+    assert reader.read("Rosie, turn left 120 degrees.") == reader.read("Turn left 120 degrees.")
+    assert reader.read("Hey Rosie, stop!").sense is Sense.STOP
+    several = make_reader(Pipeline(knowledge), FINDER, World(), Calls(["alpha", "beta"]), are_several=True)
+    alpha, beta = (several.read(f"{name}, turn left 120 degrees.").offer for name in ("Alpha", "Beta"))
+    assert alpha is not None and alpha.text == "Alpha, turn left 120 degrees"
+    assert alpha.question == 'I heard "Alpha, turn left 120 degrees". Is that right?'
+    assert beta is not None and not alpha.means_the_same(beta) and alpha.frame == beta.frame == "turning"
+
+
 def test_talk_is_nothing_and_unknown_words_are_named(reader: CommandReader) -> None:
     meaning = reader.read("Follow Alice.")
     assert meaning.sense is Sense.COMMAND and meaning.unknown == ("alice",)
@@ -66,7 +80,7 @@ UNIT = """
 def test_what_can_be_done_changes_with_the_servers() -> None:
     maker = ReaderMaker()
     files = Knowledge(unit_files=(("u.yaml", UNIT),), frame_files=(("f.yaml", FRAME),))
-    without = maker.make(files, FINDER, World()).known
+    without = maker.make(files, FINDER, World(), Calls()).known
     assert "juggle" in without and "alice" not in without
     named = Knowledge(files.unit_files, files.frame_files, names=(("Alice", ("Human",)),))
-    assert "alice" in maker.make(named, FINDER, World()).known
+    assert maker.make(named, FINDER, World(), Calls(["Rosie"])).known >= {"alice", "rosie"}

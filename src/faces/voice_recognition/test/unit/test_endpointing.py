@@ -104,3 +104,30 @@ def test_the_parts_of_the_stream_do_not_matter() -> None:
 def test_a_long_sound_is_cut_off() -> None:
     found = utterances(noise(1, 20) + voice(5, 3000.0) + noise(1, 20), settings=EndpointSettings(longest_s=2.0))
     assert found[0].is_cut and len(found[0].pcm) <= 2.1 * 2 * RATE
+
+
+class Voice:
+    """A detector that knows a voice in a part of the stream."""
+
+    def __init__(self, begin_s: float, end_s: float) -> None:
+        self._begin_s, self._end_s = begin_s, end_s
+        self._passed_s = 0.0
+
+    def __call__(self, pcm: bytes) -> float:
+        self._passed_s += len(pcm) / 2 / RATE
+        return 0.9 if self._begin_s < self._passed_s <= self._end_s else 0.1
+
+
+def test_noise_that_goes_on_does_not_make_an_utterance_longer() -> None:
+    pcm = noise(1.0, 50.0) + voice(1.0, 3000.0) + voice(2.0, 800.0, seed=5) + noise(1.0, 50.0)
+    (by_energy,) = utterances(pcm)
+    assert by_energy.end_s > 3.5
+    endpointer = Endpointer(voice=Voice(1.0, 2.0))
+    first, *_ = (*endpointer.feed(pcm), *endpointer.finish())
+    assert first.begin_s == pytest.approx(1.0, abs=0.1) and first.end_s == pytest.approx(2.1, abs=0.15)
+
+
+def test_a_voice_that_the_detector_does_not_know_is_heard() -> None:
+    pcm = noise(1.0, 50.0) + voice(1.0, 3000.0) + noise(1.0, 50.0)
+    endpointer = Endpointer(voice=Voice(9.0, 9.0))
+    assert (*endpointer.feed(pcm), *endpointer.finish()) == utterances(pcm)

@@ -7,7 +7,16 @@ import numpy as np
 import pytest
 
 from voice_recognition.recogniser import RATE
-from voice_recognition.sound import UnreadableSound, duration_s, level_db, read_wav, resample, to_samples, write_wav
+from voice_recognition.sound import (
+    UnreadableSound,
+    clipped_share,
+    duration_s,
+    level_db,
+    read_wav,
+    resample,
+    to_samples,
+    write_wav,
+)
 
 
 def tone(hertz: float, rate: int, seconds: float = 0.5) -> np.ndarray:
@@ -51,3 +60,10 @@ def test_what_was_written_is_read(tmp_path) -> None:
     pcm = tone(500.0, RATE).astype("<i2").tobytes()
     write_wav(path, pcm)
     assert read_wav(path) == pcm
+
+
+def test_sound_that_is_cut_off_is_told_from_loud_sound() -> None:
+    loud = tone(200.0, RATE) * 4.0
+    assert clipped_share(np.clip(loud, -32768, 32767).astype("<i2").tobytes()) == 0.0
+    assert clipped_share(np.clip(loud * 2.0, -32768, 32767).astype("<i2").tobytes()) > 0.3
+    assert clipped_share(b"") == 0.0

@@ -35,6 +35,7 @@ from voice_recognition.dialogue import (
 from voice_recognition.offers import Offer
 
 SETTINGS = DialogueSettings()
+ALWAYS = DialogueSettings(always_listening=True)
 TURN = Offer("turning", (("direction", "left"),), "turn left", "turn left")
 RIGHT = Offer("turning", (("direction", "right"),), "turn right", "turn right")
 TIME = Offer("telling", (("message", "the time"),), "tell me the time", "tell you the time")
@@ -51,8 +52,8 @@ def run(events, settings: DialogueSettings = SETTINGS, state=None) -> Tuple[obje
     return state, done
 
 
-def spoken(heard: Heard):
-    return [SpeechEnded(), Understood(heard)]
+def spoken(heard: Heard, *, is_called: bool = False):
+    return [SpeechEnded(), Understood(heard, is_called=is_called)]
 
 
 def test_a_motion_is_asked_about_and_begins_with_a_yes() -> None:
@@ -65,7 +66,7 @@ def test_what_would_be_refused_is_asked_about_but_not_of_talk() -> None:
     refused = Heard(Verdict.LIKELY, (Offer("", (), "fly to the moon"),), is_refused=True)
     _, done = run([Pushed(), *spoken(refused)])
     assert done == [Say('I heard "fly to the moon". Is that right?', is_question=True)]
-    _, done = run(spoken(refused), DialogueSettings(always_listening=True))
+    _, done = run(spoken(refused), ALWAYS)
     assert done == []
 
 
@@ -103,11 +104,29 @@ def test_nothing_is_heard_without_a_push() -> None:
     assert state == Waiting()
 
 
-def test_it_listens_always_when_it_shall() -> None:
-    settings = DialogueSettings(always_listening=True)
-    state, done = run([*spoken(Heard(Verdict.NOTHING)), *spoken(Heard(Verdict.AGAIN)), *spoken(SURE)], settings)
+def test_it_listens_always_to_who_calls_it() -> None:
+    talk = [spoken(Heard(Verdict.NOTHING)), spoken(Heard(Verdict.AGAIN)), spoken(SURE)]
+    state, done = run([event for one in talk for event in one], ALWAYS)
+    assert done == [] and state == begin(ALWAYS)
+    state, done = run(spoken(SURE, is_called=True), ALWAYS)
     assert done == [Say("Shall I turn left?", is_question=True)]
     assert isinstance(state, Confirming)
+    assert run(spoken(Heard(Verdict.NOTHING), is_called=True), ALWAYS) == (begin(ALWAYS), [])
+    _, done = run(spoken(Heard(Verdict.AGAIN), is_called=True), ALWAYS)
+    assert done == [Say(dialogue.AGAIN)]
+
+
+def test_who_only_calls_it_is_listened_to_for_a_while() -> None:
+    call = [SpeechEnded(), Understood(Heard(Verdict.NOTHING), is_called=True, is_call_only=True)]
+    state, done = run([*call, *spoken(SURE)], ALWAYS)
+    assert done == [Say(dialogue.CALLED), Say("Shall I turn left?", is_question=True)]
+    state, _ = run([*call, *[Tick()] * 20], ALWAYS)
+    assert state == begin(ALWAYS)
+    assert run([Pushed(), *call])[1] == [Say(dialogue.CALLED)]
+
+
+def test_a_stop_needs_no_call() -> None:
+    assert run(spoken(Heard(Verdict.SURE, is_stop=True)), ALWAYS)[1] == [Stop()]
 
 
 def test_a_choice_is_offered() -> None:

@@ -20,12 +20,13 @@ from web_console.board import Board
 from web_console.conversations import Conversation
 from web_console.history import MOST_COMMANDS, History
 from web_console.past import Past
-from web_console.requests import Cancel, Judge, Request, Say
+from web_console.requests import Cancel, Judge, Listen, Request, Say, Sound
 from web_console.ros_ground import GroundTap
 from web_console.ros_knowledge import KnowledgeTap
 from web_console.ros_listener import Listener
 from web_console.ros_sensors import SensorTap
 from web_console.ros_speaker import Speaker
+from web_console.ros_voice import VoiceTap
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
 from web_console.suggestions import Present, read_templates, suggest
@@ -45,8 +46,8 @@ _PORTS = 10
 class WebConsole:
     """Joins the subscribers, the views and the site. Its methods run in the thread of the event loop.
 
-    Publishes: what a `Speaker` does. Subscribes: ``emergency_stop``, and what `Listener`, `GroundTap` and
-    `KnowledgeTap` do.
+    Publishes: what a `Speaker` and a `VoiceTap` do. Subscribes: ``emergency_stop``, and what `Listener`, `GroundTap`,
+    `KnowledgeTap` and `VoiceTap` do.
     """
 
     def __init__(self, settings: Settings, site_settings: SiteSettings, brake_settings: BrakeSettings) -> None:
@@ -106,6 +107,7 @@ class WebConsole:
             on_health=lambda view: self._show("health", view),
             on_turn=self._watch,
         )
+        self._voice = VoiceTap(call_soon=call_soon, on_voice=lambda view: self._show("voice", view))
         self._look = PeriodicCallback(self._ground.look, _LOOK_MS)
         for kind, view in (("abilities", AbilitiesView()), ("health", HealthView()), ("stop", StopView())):
             self._board.show(kind, view)
@@ -128,6 +130,7 @@ class WebConsole:
         self._listener.start()
         self._ground.start()
         self._knowledge.start()
+        self._voice.start()
         rospy.set_param("~url", url)
         rospy.loginfo("the page is at %s", url)
         rospy.on_shutdown(lambda: self._loop.asyncio_loop.call_soon_threadsafe(self._loop.stop))
@@ -175,6 +178,10 @@ class WebConsole:
             self._show("unheard", "")
             self._history.heard(command_id, request.text, rospy.get_time())
             self._listener.show((*self._history.close_questions(), command_id))
+        elif isinstance(request, Listen):
+            self._voice.listen()
+        elif isinstance(request, Sound):
+            self._voice.hear(request.pcm)
         elif isinstance(request, Cancel):
             self._speaker.cancel(request.command_id)
         elif isinstance(request, Judge):

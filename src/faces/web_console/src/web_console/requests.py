@@ -1,4 +1,4 @@
-"""What a page may ask for: five verbs, and nothing else."""
+"""What a page may ask for: six verbs, and nothing else."""
 
 import json
 from dataclasses import dataclass
@@ -9,6 +9,8 @@ from web_console.conversations import RIGHT, WRONG
 #: A message of a page is not longer than this, in bytes; a text has at most four bytes a character.
 LONGEST_MESSAGE = 16 * 1024
 _LONGEST_ID = 200
+#: Sound is sent in parts, bytes: 0.2 s at most.
+LONGEST_SOUND = 6400
 
 
 @dataclass(frozen=True)
@@ -23,6 +25,22 @@ class Cancel:
     """End a command."""
 
     command_id: str
+
+
+@dataclass(frozen=True)
+class Listen:
+    """Listen to one spoken command."""
+
+
+@dataclass(frozen=True)
+class Sound:
+    """Sound of the microphone of the page.
+
+    Attributes:
+        pcm: 16 kHz, 16 bit, mono
+    """
+
+    pcm: bytes
 
 
 @dataclass(frozen=True)
@@ -51,11 +69,25 @@ class Judge:
     meant: str = ""
 
 
-Request = Union[Say, Cancel, Stop, Judge]
+Request = Union[Say, Cancel, Listen, Sound, Stop, Judge]
 
 
 class BadRequest(ValueError):
     """A page asked for something that does not exist; the message says what is wrong."""
+
+
+def read_sound(message: bytes) -> Sound:
+    """Read a message of a page that is no text.
+
+    Args:
+        message: as it came over the wire
+
+    Raises:
+        BadRequest: it is no sound, or too much; for a person
+    """
+    if not message or len(message) % 2 or len(message) > LONGEST_SOUND:
+        raise BadRequest("This is no sound.")
+    return Sound(message)
 
 
 def read_request(message: object, *, longest_text: int) -> Request:
@@ -66,7 +98,7 @@ def read_request(message: object, *, longest_text: int) -> Request:
         longest_text: how many characters a sentence may have
 
     Raises:
-        BadRequest: it is none of the five verbs with its argument; for a person
+        BadRequest: it is none of the six verbs with its argument; for a person
     """
     if not isinstance(message, str) or len(message) > LONGEST_MESSAGE:
         raise BadRequest("This is not a request.")
@@ -79,6 +111,8 @@ def read_request(message: object, *, longest_text: int) -> Request:
     verb = said.get("verb")
     if verb in ("stop", "emergency_stop") and set(said) == {"verb"}:
         return Stop(stays=verb == "emergency_stop")
+    if verb == "listen" and set(said) == {"verb"}:
+        return Listen()
     if verb == "say" and set(said) == {"verb", "text"} and isinstance(said["text"], str):
         text = _in_words(said["text"], longest_text)
         if not text:

@@ -16,12 +16,12 @@ from tornado.web import Application, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from roboframenet_ros.sqlite_file import StoreError
-from web_console.access import host_pattern, is_token
+from web_console.access import host_pattern, is_local, is_token
 from web_console.outbox import Outbox
 from web_console.page_files import PageFile, read_page
 from web_console.past import FILES, LIST
 from web_console.rate_limit import Rate, RateLimit
-from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Stop, read_request
+from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Sound, Stop, read_request, read_sound
 from web_console.sensing import NoPicture
 
 #: Beside the policy of `page_files`: in no frame of another page, and nothing told to another.
@@ -40,6 +40,8 @@ PAGE_RATE = Rate(per_s=2.0, burst=8.0)
 ALL_RATE = Rate(per_s=5.0, burst=20.0)
 #: Stops come more often, but a flood of them must not keep the node from anything else.
 STOP_RATE = Rate(per_s=10.0, burst=20.0)
+#: Parts of sound of all pages: one page sends ten a second.
+SOUND_RATE = Rate(per_s=15.0, burst=30.0)
 #: A page that sends this many bad or too many messages is closed.
 _TOKEN_RATE = Rate(per_s=0.5, burst=5.0)
 _MOST_FAULTS = 50
@@ -135,6 +137,7 @@ class Site:
         for name, rate in (
             ("request", ALL_RATE),
             ("stop", STOP_RATE),
+            ("sound", SOUND_RATE),
             ("token", _TOKEN_RATE),
             ("past", PAST_RATE),
             ("sensors", SENSOR_RATE),
@@ -388,9 +391,14 @@ class PageSocket(WebSocketHandler):
     def on_message(self, message: Union[str, bytes]) -> None:
         """The page asks for something."""
         try:
-            request = read_request(message, longest_text=self._shared.settings.longest_text)
+            request = self._read(message)
         except BadRequest as error:
             self._refuse(str(error))
+            return
+        if isinstance(request, Sound):
+            # What is too much is lost.
+            if self._shared.may("sound"):
+                self._shared.callbacks.on_request(request)
             return
         if isinstance(request, Stop):
             is_allowed = self._shared.may("stop")
@@ -400,6 +408,18 @@ class PageSocket(WebSocketHandler):
             self._shared.callbacks.on_request(request)
         else:
             self._refuse("That was too fast. Please wait a second.")
+
+    def _read(self, message: Union[str, bytes]) -> Request:
+        """Read a message.
+
+        Raises:
+            BadRequest: it is no request, or a sound from where other machines can be
+        """
+        if isinstance(message, str):
+            return read_request(message, longest_text=self._shared.settings.longest_text)
+        if not is_local(self._shared.settings.address):
+            raise BadRequest("Only a page that no other machine can open may send sound.")
+        return read_sound(message)
 
     def _refuse(self, reason: str) -> None:
         self._faults += 1

@@ -277,6 +277,23 @@ class EmergencyView:
 
 
 @dataclass(frozen=True)
+class VoiceView:
+    """What the voice hears.
+
+    Attributes:
+        state: waiting, listening, thinking, confirming, replying or deaf; empty without a voice
+        heard: what was heard last
+        question: what the robot asks before it does that; empty for nothing
+        takes_sound: whether it hears the microphone of the page
+    """
+
+    state: str = ""
+    heard: str = ""
+    question: str = ""
+    takes_sound: bool = False
+
+
+@dataclass(frozen=True)
 class StopView:
     """The last stop that was asked for by a page.
 

@@ -1,4 +1,4 @@
-"""A page can do five things, and nothing else."""
+"""A page can do six things, and nothing else."""
 
 import json
 
@@ -6,17 +6,18 @@ import pytest
 
 from web_console.outbox import MOST_WAITING, Outbox
 from web_console.rate_limit import Rate, RateLimit
-from web_console.requests import BadRequest, Cancel, Judge, Say, Stop, read_request
+from web_console.requests import BadRequest, Cancel, Judge, Listen, Say, Stop, read_request
 
 
 def read(**said):
     return read_request(json.dumps(said), longest_text=20)
 
 
-def test_five_verbs():
+def test_six_verbs():
     assert read(verb="say", text="Ping.") == Say("Ping.")
     assert read(verb="cancel", id="console-1") == Cancel("console-1")
     assert read(verb="stop") == Stop()
+    assert read(verb="listen") == Listen()
     assert read(verb="emergency_stop") == Stop(stays=True)
     assert read(verb="judge", id="console-1", verdict="wrong", meant=" Go\nhome. ") == Judge(
         "console-1", "wrong", "Go home."
@@ -49,6 +50,7 @@ def test_five_verbs():
         '{"verb": ["stop"]}',
         '{"verb": "emergency_stop", "release": true}',
         '{"verb": "release"}',
+        '{"verb": "listen", "text": "Ping."}',
         '{"op": "call_service", "service": "/rosapi/get_param"}',
     ],
 )

@@ -9,6 +9,7 @@ import json
 import re
 import socket
 from concurrent.futures import Future
+from dataclasses import replace
 
 import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
@@ -16,7 +17,7 @@ from tornado.websocket import websocket_connect
 
 from roboframenet_ros.sqlite_file import StoreError
 from web_console.page_files import FOLDER
-from web_console.requests import LONGEST_MESSAGE, Cancel, Say, Stop
+from web_console.requests import LONGEST_MESSAGE, LONGEST_SOUND, Cancel, Say, Sound, Stop
 from web_console.sensing import NoPicture
 from web_console.site import MOST_PAGES, PAGE_RATE, PAST_RATE, Callbacks, Site, SiteSettings
 
@@ -213,7 +214,8 @@ def test_page_comes_with_its_style_and_asks_for_its_modules_at_once():
         style = (FOLDER / "style.css").read_text(encoding="utf-8")
         within = text[text.index("<style>") + len("<style>") : text.index("</style>")]
         assert within.endswith(style) and '<link rel="stylesheet"' not in text
-        modules = {path.name for path in FOLDER.glob("*.js")} - {"main.js"}
+        # The worklet is asked for when somebody turns the microphone on.
+        modules = {path.name for path in FOLDER.glob("*.js")} - {"main.js", "microphone_worklet.js"}
         assert set(re.findall(r'rel="modulepreload" href="(.*?)"', text)) == modules
         digest = base64.b64encode(hashlib.sha256(within.encode()).digest()).decode()
         policy = (await console.fetch()).headers["Content-Security-Policy"]
@@ -272,6 +274,35 @@ def test_three_verbs_arrive():
     with_console(test)
 
 
+def test_sound_arrives_in_parts_that_are_not_too_many():
+    async def test(console):
+        page = await console.page()
+        await page.write_message(bytes(3200), binary=True)
+        await until(lambda: console.asked)
+        assert console.asked == [Sound(bytes(3200))]
+        for bad in (b"", bytes(3), bytes(LONGEST_SOUND + 2)):
+            await page.write_message(bad, binary=True)
+            assert await notice(page) == "This is no sound."
+        for _ in range(100):
+            await page.write_message(bytes(2), binary=True)
+        await page.write_message('{"verb": "stop"}')
+        await until(lambda: Stop() in console.asked)
+        assert 10 < len(console.asked) < 60
+
+    with_console(test)
+
+
+def test_no_sound_where_other_machines_can_be():
+    async def test(console):
+        console.site._shared.settings = replace(console.site._shared.settings, address="0.0.0.0")
+        page = await console.page()
+        await page.write_message(bytes(3200), binary=True)
+        assert "no other machine" in await notice(page)
+        assert console.asked == []
+
+    with_console(test)
+
+
 def test_other_requests_are_refused():
     async def test(console):
         page = await console.page()
@@ -279,8 +310,8 @@ def test_other_requests_are_refused():
         assert await notice(page) == "This is not a request."
         page.write_message(json.dumps({"verb": "say", "text": "x" * 51}))
         assert "at most 50 characters" in await notice(page)
-        page.write_message(b"\x00\xff", binary=True)
-        assert await notice(page) == "This is not a request."
+        page.write_message(b"\x00\xff\x00", binary=True)
+        assert await notice(page) == "This is no sound."
         assert console.asked == []
 
     with_console(test)

@@ -114,16 +114,14 @@ class Example:
     line: int = 0
 
 
-#: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word; a word for a
-#: state, "open"; an amount; a time of the clock; and, behind "until", a thing or a place that the robot comes to,
-#: "until the wall".
-SLOT_KINDS = ("", "place", "word", "state", "measure", "clock", "destination")
+#: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word.
+SLOT_KINDS = ("", "place", "word")
 _SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
 
 
 @dataclass(frozen=True)
 class WordPattern:
-    """The words of a question, a remark or a condition.
+    """The words of a question or a remark.
 
     Attributes:
         text: as the file has it: "where (is|are) <theme>", "(is|are) <theme> <location:place>"
@@ -156,8 +154,25 @@ class WordPattern:
 
 
 @dataclass(frozen=True)
+class HeldState:
+    """A state that a condition is said in: "the battery is low" is being in a state.
+
+    Attributes:
+        frame: of the state, "being_in_state"
+        elements: of the state, each with the element of the unit's frame that it fills; None if elements have the same
+            names in both
+        words: of elements of the state, each with the only phrases that it may be, in lower case and without their
+            preposition; these need not fill an element
+    """
+
+    frame: str
+    elements: Optional[Tuple[Tuple[str, str], ...]] = None
+    words: Tuple[Tuple[str, Tuple[str, ...]], ...] = ()
+
+
+@dataclass(frozen=True)
 class LexicalUnit:
-    """Verbs, or words of questions, remarks or conditions, that evoke a frame in the same way.
+    """Verbs, states, or words of questions or remarks that evoke a frame in the same way.
 
     Attributes:
         frame_name: the frame that is evoked
@@ -167,11 +182,11 @@ class LexicalUnit:
         examples: utterances that the unit understands
         questions: patterns of whole questions, which are tried in this order
         remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
-        conditions: patterns of whole clauses that say how things are, which are tried in this order
         clauses: the grammar of clauses about the robot: "what can you do", "never use the left arm"
         asks: what questions ask for, each a frame of state and what is asked of it: "being_located.location"
-        holds: the frames of state that a condition may be said in: "being_located"
+        holds: the states that a condition may be said in: being located
         events: verbs of what happens, in conditions alone, with their particles: "show up"
+        subjects: what the subject of such a verb must be if it fills no element, in lower case: "it" for "it rains"
         values: arguments that the words of a pattern, or the verbs by themselves, stand for, by element: "open" for
             "the door opens", "in the fridge" for "refrigerate"
         class_verbs: those of the verbs that come from WordNet and not from a programmer, each with the sense of another
@@ -187,12 +202,12 @@ class LexicalUnit:
     changes: Optional[Tuple[ElementChange, ...]] = None
     examples: Tuple[Example, ...] = ()
     questions: Tuple[WordPattern, ...] = ()
-    conditions: Tuple[WordPattern, ...] = ()
     remarks: Tuple[WordPattern, ...] = ()
     clauses: Tuple[ClauseShape, ...] = ()
     asks: Tuple[str, ...] = ()
-    holds: Tuple[str, ...] = ()
+    holds: Tuple[HeldState, ...] = ()
     events: Tuple[str, ...] = ()
+    subjects: Tuple[str, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
     class_verbs: Mapping[str, str] = field(default_factory=dict)
     is_learned: bool = False

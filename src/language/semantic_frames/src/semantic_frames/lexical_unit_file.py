@@ -14,6 +14,7 @@ from semantic_frames.lexical_unit import (
     ElementChange,
     ElementRelation,
     Example,
+    HeldState,
     LexicalUnit,
     WordPattern,
 )
@@ -26,11 +27,11 @@ UNIT_KEYS = (
     "verb_class",
     "question",
     "remark",
-    "condition",
     "clause",
     "asks",
     "holds",
     "event",
+    "subject",
     "values",
     "frame_element_grammatical_relations",
     "elements",
@@ -51,7 +52,23 @@ _SENSE = re.compile(r"^[a-z_]+\.v\.\d\d$")
 #: Says that a unit does not fill an element.
 _NOTHING = "none"
 #: What may stand in the place of verbs.
-PATTERN_KEYS = ("question", "remark", "condition", "clause", "asks", "holds")
+PATTERN_KEYS = ("question", "remark", "clause", "asks", "holds")
+#: Elements of states, of which a condition may be said.
+STATE_ELEMENTS = (
+    "theme",
+    "verb",
+    "location",
+    "state",
+    "owner",
+    "possession",
+    "goal",
+    "time",
+    "side",
+    "measure",
+    "unit",
+    "comparison",
+    "standard",
+)
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -115,11 +132,11 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         examples=_examples(reader, entries.get("examples"), f"{prefix}examples"),
         questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
         remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
-        conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
         clauses=read_shapes(reader, entries["clause"], f"{prefix}clause") if "clause" in entries else (),
         asks=reader.texts(entries.get("asks"), f"{prefix}asks"),
-        holds=reader.texts(entries.get("holds"), f"{prefix}holds"),
+        holds=_holds(reader, entries.get("holds"), f"{prefix}holds"),
         events=events,
+        subjects=_lowered(reader, entries.get("subject"), f"{prefix}subject"),
         values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
         line=line_of(node),
@@ -128,6 +145,32 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
 
 def _keys(node: yaml.Node) -> FrozenSet[str]:
     return frozenset(str(key.value) for key, _ in node.value) if isinstance(node, yaml.MappingNode) else frozenset()
+
+
+def _lowered(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
+    return tuple(" ".join(text.lower().split()) for text in reader.texts(node, key))
+
+
+def _holds(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[HeldState, ...]:
+    """Read the names of states, or one state with what its elements fill and which words they may be."""
+    if not isinstance(node, yaml.MappingNode):
+        return tuple(HeldState(name) for name in reader.texts(node, key))
+    entries = reader.mapping(node, key, ("frame", *STATE_ELEMENTS), required=("frame",))
+    elements: List[Tuple[str, str]] = []
+    words: List[Tuple[str, Tuple[str, ...]]] = []
+    for name, value in entries.items():
+        if name == "frame":
+            continue
+        inner = f"{key}.{name}"
+        if isinstance(value, yaml.SequenceNode):
+            words.append((name, _lowered(reader, value, inner)))
+        elif isinstance(value, yaml.MappingNode):
+            both = reader.mapping(value, inner, ("element", "words"), required=("element", "words"))
+            elements.append((name, reader.graph_name(both.get("element"), f"{inner}.element")))
+            words.append((name, _lowered(reader, both.get("words"), f"{inner}.words")))
+        else:
+            elements.append((name, reader.graph_name(value, inner)))
+    return (HeldState(reader.graph_name(entries.get("frame"), f"{key}.frame"), tuple(elements), tuple(words)),)
 
 
 def _patterns(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[WordPattern, ...]:
@@ -245,8 +288,8 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     named += [(change.relation.line, "elements", change.relation.name) for change in unit.changes or ()]
     named += [(pattern.line, "question", name) for pattern in unit.questions for name in pattern.elements]
     named += [(pattern.line, "remark", name) for pattern in unit.remarks for name in pattern.elements]
-    named += [(pattern.line, "condition", name) for pattern in unit.conditions for name in pattern.elements]
     named += [(shape.line, "clause", name) for shape in unit.clauses for name in shape.elements]
+    named += [(unit.line, "holds", name) for held in unit.holds for _, name in held.elements or ()]
     named += [(unit.line, "values", name) for name in unit.values]
     named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
     problems = [
@@ -279,7 +322,8 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         and not inherited(frame, element)
     ]
     filled = {relation.name for relation in with_inherited(unit, frame).relations} | set(unit.values)
-    ways = [pattern.elements for pattern in unit.questions + unit.remarks + unit.conditions]
+    filled |= {name for held in unit.holds for _, name in held.elements or ()}
+    ways = [pattern.elements for pattern in unit.questions + unit.remarks]
     ways += [tuple(shape.elements) for shape in unit.clauses]
     if ways:
         filled |= frozenset.intersection(*map(frozenset, ways))
@@ -294,14 +338,14 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
                 "a frame with 'is_question: True': a question never acts",
             )
         )
-    is_condition = bool(unit.conditions or unit.holds or unit.events)
+    is_condition = bool(unit.holds or unit.events)
     if is_condition and not frame.is_condition:
         problems.append(
             Problem(
                 "NOT_A_CONDITION",
                 unit.path,
                 unit.line,
-                "condition" if unit.conditions else "holds" if unit.holds else "event",
+                "holds" if unit.holds else "event",
                 f"the frame {frame.name}, which acts",
                 "a frame with 'is_condition: True': a condition is watched, and never carried out",
             )
@@ -314,7 +358,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
                 unit.line,
                 "verb" if unit.verbs else "question",
                 f"the frame {frame.name}, which is a condition",
-                "'event', 'holds' or 'condition' in its place: a condition is watched, and never carried out",
+                "'event' or 'holds' in its place: a condition is watched, and never carried out",
             )
         )
     problems += [
@@ -327,7 +371,8 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
             f"a relation for every core element of {frame.name}, or a default in its file",
         )
         for element in frame.frame_elements
-        # What a question asks for, it leaves out; what holds fills all of its elements.
-        if element.is_core and not element.default and element.name not in filled and not (unit.asks or unit.holds)
+        # What a question asks for, it leaves out; a state fills the elements that have the same names.
+        if element.is_core and not element.default and element.name not in filled and not unit.asks
+        if not any(held.elements is None for held in unit.holds)
     ]
     return problems

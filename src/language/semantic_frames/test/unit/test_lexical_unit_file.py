@@ -3,7 +3,7 @@
 import pytest
 
 from semantic_frames import FileRefused, check_lexical_unit, load_frame, load_lexical_units
-from semantic_frames.lexical_unit import ArgumentForm
+from semantic_frames.lexical_unit import ArgumentForm, HeldState
 from semantic_frames.relation_names import is_relation_name
 
 GIVING_2012 = """\
@@ -173,12 +173,43 @@ CLOSED = load_frame(
 )
 
 
-def test_condition_has_patterns_and_values() -> None:
-    text = "frame_name: closed\ncondition: ['<theme> closes', '<theme> (falls|is) shut']\nvalues: {state: closed}"
+def test_condition_has_a_state_with_the_words_of_its_elements() -> None:
+    text = (
+        "frame_name: closed\nholds: {frame: being_located, theme: theme, location: [Its  Place]}\n"
+        "values: {state: closed}"
+    )
     (unit,) = load_lexical_units(text, "closed.yaml")
-    assert [pattern.elements for pattern in unit.conditions] == [("theme",), ("theme",)]
+    assert unit.holds == (HeldState("being_located", (("theme", "theme"),), (("location", ("its place",)),)),)
     assert unit.values == {"state": "closed"}
     assert check_lexical_unit(unit, {"closed": CLOSED}) == []
+
+
+def test_element_of_a_state_may_be_some_words_only() -> None:
+    text = "frame_name: closed\nholds: {frame: being_in_state, theme: theme, state: {element: state, words: [shut]}}"
+    (unit,) = load_lexical_units(text, "closed.yaml")
+    assert unit.holds[0].elements == (("theme", "theme"), ("state", "state"))
+    assert unit.holds[0].words == (("state", ("shut",)),)
+    assert check_lexical_unit(unit, {"closed": CLOSED}) == []
+
+
+def test_states_with_elements_of_the_same_names_are_listed() -> None:
+    (unit,) = load_lexical_units("frame_name: closed\nholds: [being_in_state, existing]", "closed.yaml")
+    assert unit.holds == (HeldState("being_in_state"), HeldState("existing"))
+    assert check_lexical_unit(unit, {"closed": CLOSED}) == []
+
+
+def test_event_has_a_subject_that_fills_nothing() -> None:
+    text = "frame_name: closed\nevent: fall shut\nsubject: It\nelements: {theme: none}\nvalues: {theme: the door}"
+    (unit,) = load_lexical_units(text, "closed.yaml")
+    assert (unit.events, unit.subjects) == (("fall shut",), ("it",))
+
+
+def test_unknown_element_of_a_state_is_refused() -> None:
+    with pytest.raises(FileRefused) as refused:
+        load_lexical_units("frame_name: closed\nholds: {frame: being_located, them: theme}", "closed.yaml")
+    assert [(problem.code, problem.hint) for problem in refused.value.problems] == [
+        ("UNKNOWN_KEY", "did you mean 'theme'?")
+    ]
 
 
 @pytest.mark.parametrize(
@@ -186,9 +217,11 @@ def test_condition_has_patterns_and_values() -> None:
     [
         ("frame_name: closed\nverb: close", "NOT_A_COMMAND"),
         ("frame_name: closed\nquestion: is <theme> <state:word>", "NOT_A_COMMAND"),
-        ("frame_name: giving\ncondition: <theme> is given", "NOT_A_CONDITION"),
-        ("frame_name: closed\ncondition: <theme> closes", "CORE_NOT_FILLED"),
-        ("frame_name: closed\ncondition: <theme> closes\nvalues: {stat: closed}", "UNKNOWN_ELEMENT"),
+        ("frame_name: giving\nholds: being_located", "NOT_A_CONDITION"),
+        ("frame_name: giving\nevent: give", "NOT_A_CONDITION"),
+        ("frame_name: closed\nholds: {frame: being_in_state, theme: theme, state: [shut]}", "CORE_NOT_FILLED"),
+        ("frame_name: closed\nholds: {frame: being_in_state, theme: thing}", "UNKNOWN_ELEMENT"),
+        ("frame_name: closed\nholds: being_in_state\nvalues: {stat: closed}", "UNKNOWN_ELEMENT"),
     ],
 )
 def test_condition_is_no_command_and_a_command_no_condition(text: str, code: str) -> None:

@@ -1,8 +1,8 @@
-"""Reads clauses that say how things are ("the door is closed") by the patterns of lexical units of condition frames.
+"""Reads clauses that say how things are ("the door is closed") by the states and events of lexical units.
 
-A condition is read only if all of its words are understood. Its verbs are compared in their base form, without the
-auxiliaries of the present and the perfect; any other tense or mood ("if the door was open", "if Anna should come") is
-not understood. A negation of the whole clause is taken out, and kept beside the reading.
+A condition is read only if all of its words are understood. It is said in the present or the perfect; any other tense
+or mood ("if the door was open", "if Anna should come") is not understood. A negation of the whole clause is taken out,
+and kept beside the reading.
 """
 
 from dataclasses import replace
@@ -12,22 +12,17 @@ from typing import Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Sequenc
 from semantic_framer.clauses.event_conditions import (
     event_condition,
     passive_condition,
-    state_condition,
     unit_condition,
 )
-from semantic_framer.kinds.clause_features import features_among, top_among
+from semantic_framer.clauses.held_states import state_condition
+from semantic_framer.kinds.clause_features import features_among, features_of, top_among
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.units.word_patterns import argument_of, compiled, heads
+from semantic_framer.units.word_patterns import heads
 from semantic_framer.values.condition_part import ConditionPart, happens, is_momentary
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
-from semantic_frames.frame import Quantity, SemanticFrame
-from semantic_frames.lexical_unit import LexicalUnit, WordPattern
-from semantic_types import Fit
-from spoken_quantities import QuantityError, parse_measure, parse_number
-from typed_arguments import Measure, Source, TypedArgument
-from utterance_passes.phrases.clock_times import clock_time_at
 from utterance_passes.trees.tree import PHRASE_HEADS, VERBS, Word
+from utterance_passes.trees.tree_edits import TreeEdit
 from word_classes import word_class
 
 _CONJUNCTIONS: Mapping[str, str] = {"and": "ALL", "or": "ANY"}
@@ -37,34 +32,30 @@ _NOBODY = word_class("indefinite_persons_denied")
 _NOTHING = word_class("indefinite_things_denied")
 _ANYBODY = word_class("indefinite_persons_asked")
 _WHO = word_class("relative_persons")
-_STATE = "state"
+_STATE, _MESSAGE = "state", "message"
 _PADDING = word_class("condition_padding")
 _STATES = word_class("state_particles")
 _OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
-_CLITIC_BE = frozenset(["'s", "’s"])
 _NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_class("negations")
 _FORMS_OF_BE = word_class("forms_of_be")
 #: Universal tags of words that are in no noun phrase, and of words that may end one.
-_NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
+_NOPHRASE_HEADS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
 _ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
+_OF_MESSAGES = frozenset(["obj", "ccomp", "xcomp"])
 _ALTERNATIVE = word_class("words_before_alternatives")
-#: What somebody can come to.
-_DESTINATIONS = ("Location", "Physical_object")
 
 
 class _Words(NamedTuple):
-    """The words of a clause as patterns have them.
+    """The words of a clause that say something.
 
     Attributes:
-        forms: in lower case; verbs in their base form
-        words: each form's word
+        words: without negations, "again" and auxiliaries of the present and the perfect
         is_negated: whether a negation was taken out
         is_anew: whether an "again" was taken out
-        renamed: what a word that was changed stands for, by its position: "somebody" for "nobody"
+        renamed: what a word that denies or leaves open stands for, by its position: "somebody" for "nobody"
     """
 
-    forms: List[str]
     words: List[Word]
     is_negated: bool
     is_anew: bool
@@ -177,12 +168,9 @@ def _read_one(
     if positions and is_auxiliary(sentence.word(positions[0])):
         return None  # "When does Anna come" is a question.
     said = _words(sentence, positions, somebody)
-    found = _read_by_patterns(sentence, known, said, is_until) if said is not None else []
-    if said is not None and said.forms:
-        found += _by_trees(sentence, known, positions, said, somebody)
+    found = _by_trees(sentence, known, positions, said, is_until, somebody) if said is not None and said.words else []
     if said is None or not found:
         return None if somebody else _by_event(sentence, known, positions)
-    # "You are done" is an end, though "you are" and any state fit as well: the most words of a pattern count.
     best = max(found, key=lambda reading: len(reading.verb_positions))
     return _distributed(replace(best, clause_text=sentence.text(positions)), said, frozenset(positions))
 
@@ -199,19 +187,8 @@ def _by_event(
     return ConditionPart("CONDITION", frozenset(positions), event.reading, is_negated=event.is_negated)
 
 
-def _read_by_patterns(sentence: Sentence, known: FramedLexicon, said: _Words, is_until: bool) -> List[Reading]:
-    return [
-        reading
-        for unit in known.lexicon.condition_units(said.forms)
-        for frame in [known.frames.get(unit.frame_name)]
-        if frame is not None and frame.is_condition
-        for reading in [_first_match(sentence, unit, frame, said, is_until)]
-        if reading is not None
-    ]
-
-
 def _by_trees(
-    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], said: _Words, somebody: int
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], said: _Words, is_until: bool, somebody: int
 ) -> List[Reading]:
     """Return the readings of a state and of what happens, with "somebody" for "nobody"."""
     words, renamed = frozenset(word.index for word in said.words), dict(said.renamed)
@@ -224,28 +201,59 @@ def _by_trees(
             # "Everybody *who comes in*."
             words, positions = words - {somebody} | {who.index}, sorted(sentence.subtree(clause.index))
             renamed[who.index] = "somebody"
+    sentence = _with_message(sentence, known, said.words)
     features = features_among(sentence.tree, positions)
+    if features is None and any(words <= time for time in sentence.tree.times):
+        # "Eight in the evening."
+        features = features_of(sentence.tree, min(words))
     if features is None:
         return []
     passive = passive_condition(sentence, known, features, frozenset(positions))
     if passive is not None:
         return [_renamed(passive, renamed)]
-    found = [read(sentence, known, features, words) for read in (state_condition, unit_condition)]
+    found = [
+        state_condition(sentence, known, features, words, is_until=is_until),
+        unit_condition(sentence, known, features, words),
+    ]
     whole = [one for one in found if one is not None and _are_phrases(sentence, one, renamed)]
     return [_renamed(reading, renamed) for reading in whole]
+
+
+def _with_message(sentence: Sentence, known: FramedLexicon, words: Sequence[Word]) -> Sentence:
+    """Return a sentence in which the word behind a verb of saying is its message: "until I say *stop*".
+
+    What is said has no structure, so the parser hangs it anywhere.
+    """
+    events = replace(known, lexicon=known.lexicon.events)
+    saying, message = words[-2:] if len(words) > 2 else (None, None)
+    if saying is None or message is None or saying.upos != "VERB" or message.said in _NO_PHRASE:
+        return sentence
+    is_known = message.head == saying.index and message.deprel in _OF_MESSAGES
+    units = events.units_of(saying.lemma.lower())
+    if is_known or not any(relation.name == _MESSAGE for unit in units for relation in unit.relations):
+        return sentence
+    edit = TreeEdit(sentence.tree)
+    if saying.index in sentence.subtree(message.index):
+        edit.rehang(saying.index, message.head, message.deprel)
+    edit.rehang(message.index, saying.index, "obj")
+    return sentence.attached(edit.tree())
 
 
 def _are_phrases(sentence: Sentence, reading: Reading, renamed: Mapping[int, str]) -> bool:
     """Whether what fills a condition are plain phrases and states, of which a server loses no word."""
     for argument in reading.arguments:
-        if not argument.positions or argument.head_position in renamed:
+        if not argument.positions or argument.head_position in renamed or argument.time is not None:
             continue
         words = [sentence.word(index) for index in argument.positions]
-        words = list(dropwhile(lambda word: word.upos == "ADP", words)) or words
+        words = list(dropwhile(lambda word: word.upos in ("ADP", "PART"), words)) or words
+        if argument.name == _MESSAGE and len(words) == 1:
+            if words[0].said in _NO_PHRASE:
+                return False
+            continue  # "When I say *go*."
         if argument.name == _STATE:
             if not _is_state(words[0]):
                 return False
-        elif not (len(words) == 1 and words[0].upos == "ADV") and not _is_phrase(sentence, words, is_place=False):
+        elif not (len(words) == 1 and words[0].upos == "ADV") and not _is_phrase(sentence, words):
             return False
     return True
 
@@ -282,8 +290,7 @@ def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> O
 
 
 def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> Optional[_Words]:
-    """Return the words of a clause as patterns have them; None if its tense or mood is none of a condition."""
-    forms: List[str] = []
+    """Return the words of a clause that say something; None if its tense or mood is none of a condition."""
     words: List[Word] = []
     renamed: Dict[int, str] = {}
     negations = 0
@@ -308,12 +315,10 @@ def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> O
                 renamed[index] = "somebody" if form in _NOBODY else "something"
             elif form in _ANYBODY or index == somebody:
                 renamed[index] = "somebody"
-            spelled = renamed.get(index) or _spelled(sentence, word)
-            if spelled is None:
+            if index not in renamed and _is_of_the_past(sentence, word):
                 return None
-            forms.append(spelled)
             words.append(word)
-    return _Words(forms, words, negations == 1, is_anew, renamed) if negations < 2 else None
+    return _Words(words, negations == 1, is_anew, renamed) if negations < 2 else None
 
 
 def _is_empty_auxiliary(sentence: Sentence, word: Word) -> bool:
@@ -330,39 +335,17 @@ def _is_empty_auxiliary(sentence: Sentence, word: Word) -> bool:
     return word.lemma.lower() == "be" and tag == "VBG"
 
 
-def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
-    """Return a word as patterns have it; None if it is a verb of the past."""
-    form = word.said
-    if form in _CLITIC_BE and _stands_before_a_state(sentence, word):
-        return "be"
-    children = sentence.children(word.index)
-    if word.xpos == "NNS" and word.deprel == "acl:relcl" and any(child.deprel == "nsubj" for child in children):
-        return word.lemma.lower()  # "Everybody who leaves": the tagger takes it for the plural of a noun.
+def _is_of_the_past(sentence: Sentence, word: Word) -> bool:
+    """Whether a verb tells of the past: "if the door *was* open", but not "if it has *been* opened"."""
     if word.upos not in VERBS:
-        return form
-    if form == "ca" and word.lemma.lower() == "can":
-        return "can"  # "You ca n't see".
+        return False
+    children = sentence.children(word.index)
     is_perfect = any(
         child.deprel == "aux" and child.lemma.lower() == "have" and child.xpos != "VBD" for child in children
     )
     if word.lemma.lower() == "be":
-        return "be" if word.xpos in ("VBZ", "VBP", "VB") or is_perfect or _follows_have(sentence, word) else None
-    if word.xpos in ("VBN", "VBD"):
-        is_passive = any(child.deprel in ("aux:pass", "cop") for child in children)
-        if is_perfect and not is_passive:
-            return word.lemma.lower()
-        return form if is_passive or word.xpos == "VBN" else None
-    is_going_on = any(child.deprel == "aux" and child.lemma.lower() == "be" for child in children)
-    if word.xpos == "VBG":
-        return word.lemma.lower() if is_going_on or is_perfect else form
-    return word.lemma.lower() if word.xpos in ("VB", "VBP", "VBZ") else form
-
-
-def _stands_before_a_state(sentence: Sentence, word: Word) -> bool:
-    """Whether a clitic that the parser takes for a possessive means "is": "the light's on"."""
-    said = sentence.tree.words[word.index : word.index + 2]
-    behind = [one for one in said if one.said not in _PADDING][:1]
-    return bool(behind) and (behind[0].upos == "ADJ" or behind[0].said in _STATES)
+        return not (word.xpos in ("VBZ", "VBP", "VB") or is_perfect or _follows_have(sentence, word))
+    return word.xpos == "VBD" and not (is_perfect or any(child.deprel in ("aux:pass", "cop") for child in children))
 
 
 def _follows_have(sentence: Sentence, word: Word) -> bool:
@@ -373,130 +356,27 @@ def _follows_have(sentence: Sentence, word: Word) -> bool:
     )
 
 
-def _first_match(
-    sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, said: _Words, is_until: bool
-) -> Optional[Reading]:
-    return next(
-        (
-            reading
-            for pattern in unit.conditions
-            for reading in [_match(sentence, unit, frame, pattern, said, is_until)]
-            if reading is not None
-        ),
-        None,
-    )
-
-
-def _match(
-    sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, pattern: WordPattern, said: _Words, is_until: bool
-) -> Optional[Reading]:
-    match = compiled(pattern).fullmatch(" ".join(said.forms))
-    if match is None:
-        return None
-    arguments: List[TypedArgument] = []
-    inside: List[int] = []
-    for name, kind in pattern.slots:
-        if match.group(name) is None:
-            continue
-        first = len(match.string[: match.start(name)].split())
-        words = said.words[first : first + len(match.group(name).split())]
-        argument = _argument(sentence, frame, name, kind, words, said.renamed, is_until)
-        if argument is None:
-            return None
-        inside += [word.index for word in words]
-        arguments.append(argument)
-    arguments += [TypedArgument(name, text, Source.INFERRED) for name, text in unit.values.items()]
-    filled = {argument.name for argument in arguments}
-    order = [element.name for element in frame.frame_elements]
-    own = tuple(word.index for word in said.words if word.index not in inside)
-    return Reading(
-        unit=unit,
-        verb=pattern.text,
-        verb_positions=own,
-        arguments=tuple(sorted(arguments, key=lambda one: order.index(one.name))),
-        missing=tuple(element for element in frame.frame_elements if element.is_core and element.name not in filled),
-        left_over=(),
-        coverage=1.0,
-    )
-
-
-def _argument(
-    sentence: Sentence,
-    frame: SemanticFrame,
-    name: str,
-    kind: str,
-    words: Sequence[Word],
-    renamed: Mapping[int, str],
-    is_until: bool,
-) -> Optional[TypedArgument]:
-    """Return what some words fill an element with; None if they cannot."""
-    positions = [word.index for word in words]
-    element = frame.element(name)
-    if kind == "state":
-        return argument_of(sentence, name, positions) if _is_state(words[0]) else None
-    if kind == "clock":
-        clock = clock_time_at(["at", *(word.said for word in words)])
-        is_whole = clock is not None and clock.length == len(words) + 1
-        is_once = clock is not None and clock.when is not None and clock.when.kind == "time"
-        if clock is None or not (is_whole and is_once):
-            return None
-        text = sentence.text(positions)
-        return replace(argument_of(sentence, name, positions), text=text, words=text, time=clock.when)
-    if kind == "word" and words[0].said not in _NO_PHRASE:
-        return argument_of(sentence, name, positions)
-    quantity = element.quantity if element is not None else None
-    if quantity is not None:
-        return _amount(sentence, name, positions, quantity)
-    is_renamed = len(words) == 1 and words[0].index in renamed
-    if not is_renamed and not _is_phrase(sentence, words, is_place=kind == "place"):
-        return None
-    argument = argument_of(sentence, name, positions)
-    if argument.is_negated or (kind == "destination" and not (is_until and _is_destination(sentence, argument))):
-        return None
-    types = element.semantic_types if element is not None else ()
-    if types and not is_renamed and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
-        return None
-    if kind == "place" and (_is_duration(argument.text) or _is_time(sentence, argument)):
-        return None  # "If I am not back *in ten minutes*", "if you see Anna *at six*": they say when.
-    new = renamed.get(argument.head_position)
-    return replace(argument, text=new, words=new, head=new, lemma=new) if new else argument
-
-
 def _is_state(word: Word) -> bool:
     form = word.said
     return form in _STATES or (word.upos in ("ADJ", "VERB") and word.xpos in _ADJECTIVES)
 
 
-def _is_destination(sentence: Sentence, argument: TypedArgument) -> bool:
-    """Whether somebody can come to a thing or a place: "the wall", but not "lunch"."""
-    is_named = bool(argument.quantifier or argument.possessor or argument.count)
-    is_place = sentence.types.fit(argument.head_position, _DESTINATIONS) is Fit.LIKELY
-    return is_named and is_place and not _is_time(sentence, argument)
-
-
-def _is_time(sentence: Sentence, argument: TypedArgument) -> bool:
-    return any(time & frozenset(argument.positions) for time in sentence.tree.times)
-
-
-def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> bool:
+def _is_phrase(sentence: Sentence, words: Sequence[Word]) -> bool:
     """Whether words are one noun phrase, with phrases of place and of-phrases at most."""
     positions = [word.index for word in words]
-    if any(word.upos in _NO_NOUNS and word.deprel not in ("amod", "compound") for word in words):
+    if any(word.upos in _NOPHRASE_HEADS and word.deprel not in ("amod", "compound") for word in words):
         return False
     if any(word.said in _NO_PHRASE - _NOBODY - _NOTHING for word in words):
         return False
-    if is_place and len(words) == 1:
-        return True
     if not any(word.upos in PHRASE_HEADS for word in (words[0], words[-1])) and words[0].upos != "DET":
         return False
     is_list = any(word.deprel == "conj" and word.upos in PHRASE_HEADS and word.head in positions for word in words)
     if any(word.upos == "CCONJ" and not is_list for word in words) or any(map(_is_number_choice, words)):
         return False
     # "In the kitchen with Bob": only places tell which thing or place is meant.
-    behind = words if is_place else words[1:]
-    if any(word.upos == "ADP" and word.said not in _OF_PLACES for word in behind):
+    if any(word.upos == "ADP" and word.said not in _OF_PLACES for word in words[1:]):
         return False
-    if not is_place and words[0].upos == "ADP":
+    if words[0].upos == "ADP":
         return False
     if words[0].upos == "DET" and all(word.upos in _OF_BARE_PHRASES for word in words[1:]):
         # "The bell rings" is hardly a verb for the parser; an article makes a phrase of what follows.
@@ -507,27 +387,3 @@ def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> 
 def _is_number_choice(word: Word) -> bool:
     """Whether a number is one of several: "two or *three* persons"."""
     return word.upos == "NUM" and word.deprel == "conj"
-
-
-def _is_duration(text: str) -> bool:
-    try:
-        parse_measure(text, quantity=Quantity.DURATION.value)
-    except QuantityError:
-        return False
-    return True
-
-
-def _amount(sentence: Sentence, name: str, positions: Sequence[int], quantity: Quantity) -> Optional[TypedArgument]:
-    text = sentence.text(positions)
-    try:
-        if quantity is Quantity.NUMBER:
-            number = parse_number(text)
-            measure = Measure(quantity.value, text, number, "", number)
-        else:
-            read = parse_measure(text, quantity=quantity.value)
-            measure = Measure(quantity.value, text, read.amount, read.unit, read.si_amount)
-    except QuantityError:
-        return None
-    return TypedArgument(
-        name, text, words=text, positions=tuple(positions), head_position=positions[-1], measure=measure
-    )

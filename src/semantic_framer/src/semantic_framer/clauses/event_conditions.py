@@ -7,13 +7,10 @@ from dataclasses import replace
 from typing import FrozenSet, NamedTuple, Optional
 
 from semantic_framer.clauses.deed_clauses import AGENT, DeedClause, of_own_deed, with_going
-from semantic_framer.clauses.state_clauses import state_clause
-from semantic_framer.clauses.state_phrases import WHETHER
 from semantic_framer.filling.matching import match_units
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.units.word_patterns import argument_of
 from semantic_framer.values.dialogue import PRONOUNS
 from semantic_framer.values.outcome import Policy
 from semantic_framer.values.reading import Reading, rank
@@ -33,48 +30,10 @@ _AFTER = "after"
 _MODALS = frozenset(["", "can", "ca", "could"])
 _WAITING = "Waiting"
 _PERSONS = word_class("male_pronouns") | word_class("female_pronouns")
-_CLOSED = word_class("words_for_closed")
+_HEARERS = word_class("hearers")
+#: FrameNet's roles of who does something on purpose; what the robot does itself is known from its log.
+_DOERS = frozenset(["Agent", "Speaker"])
 _DONE = (Aspect.DONE, Aspect.EVER_DONE)
-
-
-def state_condition(
-    sentence: Sentence, known: FramedLexicon, features: ClauseFeatures, words: FrozenSet[int]
-) -> Optional[Reading]:
-    """Read some words as a state: "Anna is in the kitchen", "the lamp is on"; None if they are none.
-
-    Args:
-        sentence: the sentence
-        known: lexical units and frames
-        features: of the clause
-        words: positions of its words, without what only denies
-    """
-    if features.asked in words:
-        return None
-    # "When" joins the clause, and asks nothing.
-    features = replace(features, asked=0)
-    clause = state_clause(sentence, features, words, is_asked=False)
-    if clause is None or clause.asked != WHETHER or not clause.elements:
-        return None
-    for unit in known.lexicon.asking_units(clause.frame):
-        frame = known.frames.get(unit.frame_name)
-        filled = clause.elements
-        if frame is None or not frame.is_condition or any(frame.element(name) is None for name in filled):
-            continue
-        arguments = tuple(
-            _usual(argument_of(sentence, element.name, filled[element.name]))
-            for element in frame.frame_elements
-            if element.name in filled
-        )
-        own = tuple(sorted(words.difference(*filled.values())))
-        if all(element.name in filled for element in frame.frame_elements if element.is_core):
-            return Reading(unit, clause.frame, own, arguments, (), (), 1.0)
-    return None
-
-
-def _usual(argument: TypedArgument) -> TypedArgument:
-    """Return a state in its usual word: "closed" for "shut"."""
-    usual = "closed" if argument.text in _CLOSED else "open" if argument.text == "opened" else ""
-    return replace(argument, text=usual) if usual else argument
 
 
 def unit_condition(
@@ -84,8 +43,9 @@ def unit_condition(
 
     Args: as of :func:`state_condition`
     """
-    if sentence.word(features.top).upos not in ("VERB", "AUX", "NOUN"):
-        return None
+    top = sentence.word(features.top)
+    if top.upos not in ("VERB", "AUX", "NOUN") or (top.xpos == "VBG" and not features.agent):
+        return None  # "After reaching the hall" is a deed of the robot.
     if features.modal not in _MODALS:
         return None  # "If Anna should come."
     events = replace(known, lexicon=known.lexicon.events)
@@ -94,16 +54,37 @@ def unit_condition(
         reading
         for reading in match_units(sentence, clause, match_verbs(sentence.tree, clause, events), events)
         if not (reading.left_over or reading.wrong_types or reading.missing)
+        if _has_subject(sentence, features, reading) and not _is_done_by_robot(sentence, known, reading)
     ]
     if not found:
         return None
-    best = min(found, key=rank)
+    # "Stands in your way" is more than standing, and "it gets dark" says nothing of a thing.
+    best = min(found, key=lambda reading: (-len(reading.verb.split()), not reading.unit.subjects, rank(reading)))
     # "The door opens" says how it is then.
     arguments = tuple(
         replace(argument, source=Source.INFERRED) if argument.name in best.unit.values else argument
         for argument in best.arguments
     )
     return replace(best, arguments=arguments)
+
+
+def _has_subject(sentence: Sentence, features: ClauseFeatures, reading: Reading) -> bool:
+    """Whether the subject fills an element, or is what the unit says: "it" in "it rains"."""
+    subject = features.agent
+    if not subject or any(subject in argument.positions for argument in reading.arguments):
+        return True
+    words = sorted(sentence.subtree(subject))
+    return sentence.text(words).lower() in reading.unit.subjects
+
+
+def _is_done_by_robot(sentence: Sentence, known: FramedLexicon, reading: Reading) -> bool:
+    frame = known.frames[reading.unit.frame_name]
+    return any(
+        argument.head_position and sentence.word(argument.head_position).said in _HEARERS
+        for argument in reading.arguments
+        for element in [frame.element(argument.name)]
+        if element is not None and element.framenet in _DOERS
+    )
 
 
 class EventCondition(NamedTuple):

@@ -125,7 +125,7 @@ def children_of_clause(tree: DependencyTree, top: int) -> Tuple[Word, ...]:
     children = tree.children(top)
     if any(child.deprel.startswith("nsubj") for child in children):
         return children
-    places = [child for child in children if child.deprel == "obl"]
+    places = [child for child in children if child.deprel in ("obl", "obl:unmarked")]
     below = [inner for place in places for inner in tree.children(place.index)]
     return (*children, *(inner for inner in below if inner.deprel == "cop" or inner.deprel.startswith("nsubj")))
 

@@ -14,9 +14,7 @@ from semantic_frames.lexical_unit import LexicalUnit
 
 _ESCAPED = re.compile(r"\\(.)")
 #: Keys of the unit of the known verb that say nothing of other words.
-_OF_ITS_VERB = frozenset(
-    ["verb", "verb_class", "question", "remark", "condition", "asks", "holds", "event", "examples"]
-)
+_OF_ITS_VERB = frozenset(["verb", "verb_class", "question", "remark", "asks", "holds", "event", "subject", "examples"])
 
 
 def text_of_lesson(lesson: Lesson, lexicon: Lexicon) -> str:

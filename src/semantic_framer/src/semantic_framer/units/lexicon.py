@@ -20,7 +20,6 @@ _NO_FRAMES: Mapping[str, SemanticFrame] = MappingProxyType({})
 class _Indices(NamedTuple):
     questions: PatternIndex
     remarks: PatternIndex
-    conditions: PatternIndex
     clauses: Dict[str, List[Tuple[LexicalUnit, ClauseShape]]]
     asks: Dict[str, List[LexicalUnit]]
     events: "Lexicon"
@@ -100,7 +99,7 @@ class Lexicon:
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         self._deeds = None
         for unit in units:
-            patterns = unit.questions or unit.remarks or unit.conditions or unit.clauses
+            patterns = unit.questions or unit.remarks or unit.clauses
             if patterns or unit.asks or unit.holds or unit.events:
                 self._with_patterns[unit.path].append(unit)
                 self._indices = None
@@ -154,10 +153,6 @@ class Lexicon:
         """Return the units of which a remark may fit some words, in the order of the files."""
         return self._indexed().remarks.may_fit(words)
 
-    def condition_units(self, words: Collection[str]) -> List[LexicalUnit]:
-        """Return the units of which a condition may fit some words, in the order of the files."""
-        return self._indexed().conditions.may_fit(words)
-
     def shaped_units(self, verb: str) -> Sequence[Tuple[LexicalUnit, ClauseShape]]:
         """Return the units with clauses of a verb, each with the clause, in the order of the files."""
         return self._indexed().clauses.get(verb, ())
@@ -177,7 +172,7 @@ class Lexicon:
             asks: Dict[str, List[LexicalUnit]] = defaultdict(list)
             clauses: Dict[str, List[Tuple[LexicalUnit, ClauseShape]]] = defaultdict(list)
             for unit in units:
-                for asked in (*unit.asks, *unit.holds):
+                for asked in (*unit.asks, *(held.frame for held in unit.holds)):
                     asks[asked].append(unit)
                 for shape in unit.clauses:
                     for verb in shape.verbs:
@@ -185,7 +180,6 @@ class Lexicon:
             self._indices = _Indices(
                 PatternIndex(units, lambda unit: unit.questions),
                 PatternIndex(units, lambda unit: unit.remarks),
-                PatternIndex(units, lambda unit: unit.conditions),
                 clauses,
                 asks,
                 Lexicon.of_units(replace(unit, verbs=unit.events, events=()) for unit in units if unit.events),

@@ -1,34 +1,11 @@
-"""Patterns of lexical units over the words of a sentence: what fills their elements."""
+"""Words that fill elements: those that a pattern of a lexical unit leaves open, and those that a unit lists."""
 
-import re
-from functools import lru_cache
-from typing import FrozenSet, List, Mapping, Pattern, Sequence
+from typing import FrozenSet, List, Sequence
 
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.values.sentence import Sentence
-from semantic_frames.lexical_unit import WordPattern
 from typed_arguments import TypedArgument
 from utterance_passes.trees.tree import PHRASE_HEADS, DependencyTree
-from word_classes import word_class
-
-_PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
-_OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
-#: A regular expression for each kind of words that fills an element.
-_WORDS_OF_SLOTS: Mapping[str, str] = {
-    "": ".+?",
-    "word": r"\S+",
-    "state": r"\S+",
-    "measure": ".+?",
-    "clock": ".+?",
-    "destination": ".+?",
-    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
-}
-
-
-@lru_cache(maxsize=2048)
-def compiled(pattern: WordPattern) -> Pattern[str]:
-    """Return the regular expression of a pattern, for words in lower case with single blanks between them."""
-    return pattern.compile(_WORDS_OF_SLOTS)
 
 
 def heads(tree: DependencyTree, positions: Sequence[int]) -> List[int]:

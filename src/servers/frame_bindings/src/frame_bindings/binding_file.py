@@ -33,6 +33,7 @@ BINDING_KEYS = (
     "topic",
     "type",
     "fields",
+    "constants",
     "ignored_elements",
     *RESULT_KEYS,
     "goal_timeout_s",
@@ -53,6 +54,7 @@ class Binding:
         target: name of the action server, service or topic
         type_name: "move_base_msgs/MoveBaseAction", "std_srvs/SetBool", "std_msgs/String"
         fields: by path of a field; see :mod:`rfnserver.goal_binding`
+        constants: what each message holds before elements fill it, as YAML has it
         ignored_elements: elements that need not fill a field
         result_names: fields of the result of an action, or the response of a service, that say whether it worked
         server_timeout_s: how long to wait for the server, the service or a subscriber
@@ -68,6 +70,7 @@ class Binding:
     target: str
     type_name: str
     fields: Mapping[str, Any] = field(default_factory=dict)
+    constants: Mapping[str, Any] = field(default_factory=dict)
     ignored_elements: Tuple[str, ...] = ()
     result_names: ResultNames = BY_CONVENTION
     server_timeout_s: float = 5.0
@@ -152,6 +155,7 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         target=reader.name(entries.get(kind.value), f"{key}.{kind.value}"),
         type_name=type_name,
         fields=_fields(reader, entries.get("fields"), f"{key}.fields"),
+        constants=_constants(reader, entries.get("constants"), f"{key}.constants"),
         ignored_elements=reader.texts(entries.get("ignored_elements"), f"{key}.ignored_elements"),
         result_names=_result_names(reader, entries, key),
         statement=read_statement(reader, node, key, entries, STATEMENT_KEYS),
@@ -199,6 +203,17 @@ def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, An
                 for part, item in parts.items()
             }
     return fields
+
+
+def _constants(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:
+    """Read values of any form; whether the message has such fields, its type decides later."""
+    if node is None or is_empty(node):
+        return {}
+    if not isinstance(node, yaml.MappingNode):
+        reader.report("WRONG_TYPE", node, key, describe(node), "a mapping of fields to values")
+        return {}
+    read: Dict[str, Any] = yaml.safe_load(yaml.serialize(node))
+    return read
 
 
 def _table(reader: Reader, node: yaml.Node, key: str) -> Dict[str, str]:

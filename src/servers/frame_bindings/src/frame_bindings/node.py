@@ -11,11 +11,10 @@ from checked_files.problem import FileRefused
 from checked_files.source_files import read_text
 from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_conditions import BoundCondition
-from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
+from frame_bindings.ros_targets import TARGET_OF_KIND
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
 from rfnserver.registration import FrameFit
-from rfnserver.results import ResultError
 from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -48,11 +47,15 @@ class BoundServer:
         Raises:
             UnknownType: a type that the binding names does not exist
             ResultError: the result lacks fields that the binding names
+            ValueError: the message cannot hold the constants
         """
         self._binding = binding
         self._target = TARGET_OF_KIND[binding.kind](binding)
         self._maker = GoalMaker(
-            self._target.message_type, mapping=binding.fields, ignored_elements=binding.ignored_elements
+            self._target.message_type,
+            mapping=binding.fields,
+            ignored_elements=binding.ignored_elements,
+            constants=binding.constants,
         )
         self._profile = stated_profile(binding.statement)
         self._server = RFNServer(binding.name, callback=self._on_frame, check=self._check, **binding.statement)
@@ -109,7 +112,7 @@ def bound_servers(paths: Sequence[str]) -> List[Bound]:
         for binding in bound.bindings:
             try:
                 servers.append(BoundServer(binding))
-            except (UnknownType, ResultError) as error:
+            except ValueError as error:  # of the binding: its types, its result, its constants
                 rospy.logerr("%s:%d: %s: %s", path, binding.line, binding.name, error)
         for condition in bound.conditions:
             try:

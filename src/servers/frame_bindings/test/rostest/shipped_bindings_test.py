@@ -8,7 +8,12 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from control_msgs.msg import GripperCommandAction, GripperCommandResult
+from control_msgs.msg import (
+    FollowJointTrajectoryAction,
+    FollowJointTrajectoryResult,
+    GripperCommandAction,
+    GripperCommandResult,
+)
 from geometry_msgs.msg import PoseStamped
 from kobuki_msgs.msg import AutoDockingAction, AutoDockingResult
 from move_base_msgs.msg import MoveBaseAction
@@ -27,6 +32,8 @@ from roboframenet_ros.ros_waiting import wait_for_action_server
 from roboframenet_testing import wait_until
 
 BOUND = {
+    "arm_extending": "extending_arm",
+    "arm_retracting": "retracting_arm",
     "gripper_opening": "opening",
     "gripper_closing": "closing",
     "navigation": "navigating_to_location",
@@ -64,6 +71,7 @@ class ShippedBindingsTest(unittest.TestCase):
             AutoDockingAction,
             lambda stub: stub.server.set_aborted(AutoDockingResult("the station is out of sight")),
         )
+        cls.arm = Stub("arm_controller/follow_joint_trajectory", FollowJointTrajectoryAction, cls.follow)
         cls.motions = Stub("play_motion", PlayMotionAction, cls.play)
         cls.said: List[SoundRequest] = []
         cls.sound = rospy.Subscriber("robotsound", SoundRequest, cls.said.append)
@@ -79,6 +87,15 @@ class ShippedBindingsTest(unittest.TestCase):
         """End as a gripper around a thing: it stalls at 3 cm, and opens as far as nothing is in the way."""
         is_open = stub.goals[-1].command.position > 0.03 and not Stub.is_jammed
         stub.server.set_succeeded(GripperCommandResult(stalled=not is_open, reached_goal=is_open))
+
+    @staticmethod
+    def follow(stub: Stub) -> None:
+        """End as a trajectory controller: a goal that the arm did not keep to is aborted with a code."""
+        if len(stub.goals[-1].trajectory.points) == 1:
+            stub.server.set_succeeded(FollowJointTrajectoryResult(error_code=0))
+        else:
+            result = FollowJointTrajectoryResult(error_code=-4, error_string="elbow_flex_joint is blocked")
+            stub.server.set_aborted(result)
 
     @staticmethod
     def play(stub: Stub) -> None:
@@ -136,6 +153,21 @@ class ShippedBindingsTest(unittest.TestCase):
     def test_a_motion_that_fails_says_why(self) -> None:
         state, text = self.carry_out("motion_of_bowing")
         self.assertEqual((GoalStatus.ABORTED, True), (state, "there is no motion bow" in text), text)
+
+    def test_trajectories(self) -> None:
+        self.assertEqual(GoalStatus.SUCCEEDED, self.carry_out("arm_extending", limb="arm")[0])
+        trajectory = self.arm.goals[-1].trajectory
+        self.assertEqual((4, 4), (len(trajectory.joint_names), len(trajectory.points[0].positions)))
+        self.assertEqual(4.0, trajectory.points[0].time_from_start.to_sec())
+
+    def test_a_trajectory_that_fails_says_why(self) -> None:
+        state, text = self.carry_out("arm_retracting")
+        self.assertEqual((GoalStatus.ABORTED, True), (state, "elbow_flex_joint is blocked" in text), text)
+
+    def test_another_limb_is_not_moved(self) -> None:
+        before = len(self.arm.goals)
+        self.assertEqual(GoalStatus.ABORTED, self.carry_out("arm_extending", limb="left arm")[0])
+        self.assertEqual(before, len(self.arm.goals))
 
     def test_sound_play(self) -> None:
         self.assertEqual(GoalStatus.SUCCEEDED, self.carry_out("sound_play_saying", message="hello")[0])

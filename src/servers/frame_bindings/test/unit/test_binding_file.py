@@ -1,5 +1,6 @@
 """Binding files and what is wrong with them."""
 
+from pathlib import Path
 from typing import Tuple
 
 import pytest
@@ -96,3 +97,20 @@ def test_table_of_words() -> None:
 def test_mistakes_are_found_by_line(old: str, new: str, expected: Tuple[str, int]) -> None:
     assert old in GOOD
     assert expected in problems(GOOD.replace(old, new))
+
+
+def test_constants_are_values_of_any_form() -> None:
+    text = GOOD.replace("    goal_timeout_s: 60\n", "    constants: {poses: [{x: 1.5}, {x: two}], fast: true}\n")
+    assert load_bindings(text, "bindings.yaml").bindings[0].constants == {
+        "poses": [{"x": 1.5}, {"x": "two"}],
+        "fast": True,
+    }
+    assert problems(GOOD.replace("goal_timeout_s: 60", "constants: [1]")) == (("WRONG_TYPE", 9),)
+
+
+@pytest.mark.parametrize(
+    "path", sorted((Path(__file__).parents[2] / "config").glob("*.yaml")), ids=lambda path: path.name
+)
+def test_shipped_files_are_read(path: Path) -> None:
+    bindings = load_bindings(path.read_text("utf-8"), str(path)).bindings
+    assert bindings and all(stated_profile(one.statement) for one in bindings)

@@ -1,7 +1,7 @@
 """The floor of a home: walls, ways and lines of sight."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
@@ -359,6 +359,15 @@ class Floor:
             tall = tall[[ident not in but for ident in self._tall_ids]]
         return not crosses(begin, end, tall)
 
+    def sight_of(self, state: State) -> Tuple[object, ...]:
+        """Return all of a state on which it depends what the robot sees, and how."""
+        robot = replace(state.robot, battery=0.0)
+        return (robot, self._sees_all_round(state), state.places, state.people, state.properties)
+
+    @staticmethod
+    def _sees_all_round(state: State) -> bool:
+        return state.time_s - state.robot.scanned_s <= 1.0
+
     def visible(self, state: State, *, eyes: str = ROBOT) -> Tuple[str, ...]:
         """Return the ids of what the robot, or a person, sees now.
 
@@ -368,7 +377,7 @@ class Floor:
         limits = self._plan.robot
         begin = self._plan.position(state, eyes)
         yaw_rad = state.robot.pose.yaw_rad if eyes == ROBOT else state.people[eyes].pose.yaw_rad
-        is_all_round = eyes == ROBOT and state.time_s - state.robot.scanned_s <= 1.0
+        is_all_round = eyes == ROBOT and self._sees_all_round(state)
         if eyes == ROBOT and state.robot.looks_at and not is_all_round:
             at = self._plan.position(state, state.robot.looks_at)
             yaw_rad = math.atan2(at[1] - begin[1], at[0] - begin[0])

@@ -2,8 +2,8 @@
 
 import json
 import threading
-from dataclasses import asdict, dataclass
-from typing import Dict, List
+from dataclasses import asdict, dataclass, replace
+from typing import Dict, List, Sequence, Tuple
 
 import rospkg
 import rospy
@@ -16,8 +16,8 @@ from roboframenet_sim.base import Pose
 from roboframenet_sim.home_arranging import arranged
 from roboframenet_sim.home_company import Company, Member
 from roboframenet_sim.home_file import load_home_file
-from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Faults
-from roboframenet_sim.home_truth import truth_of
+from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Event, Faults, State
+from roboframenet_sim.home_truth import Truth, truth_of
 from roboframenet_sim.room import RoomError
 from roboframenet_sim.ros_base import BaseSettings
 from roboframenet_sim.ros_home_robot import RosHomeRobot
@@ -109,6 +109,8 @@ class HomeSim:
         self._is_raining = False
         self._truth = rospy.Publisher("home/truth", String, queue_size=5, latch=True)
         self._last_truth = ""
+        #: All on which the truth depends.
+        self._last_facts: Tuple[State, bool, int] = (State(), False, -1)
         self._arranged_times = 0
         self._robots: List[RosHomeRobot] = []
         for kind, member in zip(kinds, members):
@@ -141,11 +143,18 @@ class HomeSim:
                 robot.rain(is_raining=is_raining)
         self._is_raining = is_raining
         if self._robots[0].is_due("truth", _TRUTH_S, stamp):
-            facts = {**truth_of(plan, state), "weather.is_raining": is_raining, "home.arranged": arranged_times}
-            truth = json.dumps({"truth": facts, "events": [asdict(event) for event in state.events[-20:]]})
-            if truth != self._last_truth:
-                self._last_truth = truth
-                publish(self._truth, String(data=truth))
+            # Most of the time nothing has changed.
+            facts = (replace(state, time_s=0.0, robot=replace(state.robot, battery=0.0)), is_raining, arranged_times)
+            if facts != self._last_facts:
+                self._last_facts = facts
+                self._tell_truth(truth_of(plan, state), state.events, is_raining, arranged_times)
+
+    def _tell_truth(self, truth: Truth, events: Sequence[Event], is_raining: bool, arranged_times: int) -> None:
+        facts = {**truth, "weather.is_raining": is_raining, "home.arranged": arranged_times}
+        told = json.dumps({"truth": facts, "events": [asdict(event) for event in events[-20:]]})
+        if told != self._last_truth:
+            self._last_truth = told
+            publish(self._truth, String(data=told))
 
     def _on_person(self, message: String) -> None:
         words = (message.data.split() + ["", "", ""])[:3]

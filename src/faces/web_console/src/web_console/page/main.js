@@ -6,6 +6,7 @@ import { Ground } from "./ground.js";
 import { Past } from "./past.js";
 import { Senses } from "./senses.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
+import { Microphone } from "./microphone.js";
 import { Talk } from "./talk.js";
 
 const MOST_COMMANDS = 50;
@@ -23,7 +24,7 @@ let status = { sentence: "", active: [] };
 let stop = { number: 0, state: "", sentence: "" };
 
 const ground = new Ground(byId("ground"), byId("ground-text"), byId("ground-card"));
-const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose });
+const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose, listen: () => ask({ verb: "listen" }) });
 
 new Senses(byId("senses"), byId("cameras"), byId("plots"));
 const past = new Past({
@@ -37,6 +38,20 @@ function ask(request) {
     return true;
   }
   return false;
+}
+
+const microphone = new Microphone((part) => {
+  if (socket && socket.readyState === WebSocket.OPEN) socket.send(part);
+});
+
+async function turnMicrophone() {
+  try {
+    await (microphone.isOn ? microphone.end() : microphone.begin());
+  } catch (error) {
+    await microphone.end();
+    say(`The microphone of this computer cannot be used: ${error.message}`, "bad");
+  }
+  byId("microphone").setAttribute("aria-pressed", String(microphone.isOn));
 }
 
 function choose(id) {
@@ -101,6 +116,7 @@ const views = {
   stop: showStop,
   emergency: showEmergency,
   notice: (view) => say(view.text, "bad"),
+  voice(view) { talk.hear(view); byId("microphone").hidden = !(view.takes_sound && microphone.isThere); },
   unheard(view) { if (view) say(`Nobody heard "${view}": command_server is not there. Is the pipeline up?`, "bad"); },
 };
 
@@ -144,6 +160,7 @@ function showEmergency(view) {
   byId("held-text").textContent = view.sentence;
 }
 
+byId("microphone").addEventListener("click", turnMicrophone);
 byId("stop").addEventListener("click", () => stopRobot());
 byId("emergency").addEventListener("click", () => stopRobot("emergency_stop"));
 byId("release").addEventListener("click", () => {

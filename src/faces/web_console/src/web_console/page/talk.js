@@ -3,11 +3,12 @@
 import { keep, make, seconds } from "./dom.js";
 
 const MOST_SUGGESTIONS = 6;
+const HEARING = { listening: "Listening ...", thinking: "Thinking ...", replying: "Listening ..." };
 const MARKS = { DONE: "✓", FAILED: "✕", REFUSED: "–", NEEDS_INFORMATION: "?", SUPERSEDED: "■" };
 const byId = (id) => document.getElementById(id);
 
 export class Talk {
-  constructor({ say, select }) {
+  constructor({ say, select, listen }) {
     this.say = say;
     this.select = select;
     this.said = [];
@@ -22,6 +23,7 @@ export class Talk {
     });
     this.input.addEventListener("input", () => this.suggest());
     this.input.addEventListener("keydown", (event) => this.recall(event));
+    byId("listen").addEventListener("click", listen);
   }
 
   send(text) {
@@ -80,6 +82,15 @@ export class Talk {
     found = [...new Set(found)].slice(0, MOST_SUGGESTIONS);
     keep(byId("suggestions"), found, () => found.map((one) =>
       make("button", { type: "button", onclick: () => { this.input.value = one; this.input.focus(); this.suggest(); } }, one.trim())));
+  }
+
+  // What the robot hears, and what it asks before it does that; by voice it is answered.
+  hear(view) {
+    byId("listen").hidden = !view.state;
+    byId("listen").setAttribute("aria-pressed", String(view.state === "listening"));
+    const doing = HEARING[view.state] || "";
+    const heard = view.heard && view.state !== "listening" ? `Heard: "${view.heard}". ` : "";
+    byId("heard").textContent = view.state ? `${heard}${view.question || doing}` : "";
   }
 
   draw(commands, selected) {

@@ -1,0 +1,7 @@
+"""Installed by catkin only."""
+
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(**generate_distutils_setup(packages=["object_perception"], package_dir={"": "src"}))
