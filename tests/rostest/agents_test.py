@@ -43,7 +43,7 @@ try:
 except ImportError as error:
     MISSING = f"the SDK of the Model Context Protocol is not installed (make agents): {error}"
 
-DEADLINE_S = 180.0
+DEADLINE_S = 120.0
 OWN_TOOLS = {"say", "stop", "world", "deeds", "explain"}
 URL = "http://127.0.0.1:18765/mcp"
 
