@@ -5,6 +5,10 @@ The pipeline is compared with itself: its way from a text to a goal, in turns wi
 node of the page. Programs that stand for pages are websocket clients in a process of their own.
 
     benchmarks/console.py [SECONDS of the ten pages, 60]
+    benchmarks/console.py SECONDS CHECKOUT
+
+With the checkout of another version, its page is measured in turns with this one, with its own packages in Python and
+the messages of this version; the last lines are the ratios of this one to the other.
 """
 
 import itertools
@@ -26,6 +30,8 @@ PORT = 18090
 URL = f"http://127.0.0.1:{PORT}/"
 IDLE_S = 20.0
 TURNS, TEXTS = 5, 40
+#: Of two versions, each.
+TURNS_BESIDE = 3
 EVENTS = 200
 LOADS = 5
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "rostest")
@@ -79,19 +85,30 @@ def open_pages(count: int, *, shall_tell: bool = False) -> "Iterator[subprocess.
         process.wait()
 
 
+def command_of(checkout: str) -> Tuple[List[str], Dict[str, str]]:
+    """Return the program of the page, and its environment; of this version when the checkout is empty."""
+    if not checkout:
+        found = subprocess.run(
+            ["catkin_find", "--first-only", "web_console", "web_console"], capture_output=True, text=True, check=True
+        )
+        return [found.stdout.strip()], dict(os.environ)
+    sources = sorted(str(path.parent / "src") for path in Path(checkout, "src").rglob("package.xml"))
+    paths = os.pathsep.join([*sources, os.environ.get("PYTHONPATH", "")])
+    (program,) = Path(checkout, "src").rglob("nodes/web_console")
+    return [sys.executable, str(program)], dict(os.environ, PYTHONPATH=paths)
+
+
 @contextmanager
-def console() -> "Iterator[subprocess.Popen[bytes]]":
-    """The node of the page, once it answers."""
+def console(checkout: str = "") -> "Iterator[subprocess.Popen[bytes]]":
+    """The node of the page, once it answers; that of another checkout, if one is given."""
     import rospy
     from tornado.httpclient import HTTPClient, HTTPClientError
 
     if rospy.has_param("/web_console/url"):
         rospy.delete_param("/web_console/url")
-    program = subprocess.run(
-        ["catkin_find", "--first-only", "web_console", "web_console"], capture_output=True, text=True, check=True
-    )
+    program, environment = command_of(checkout)
     process = subprocess.Popen(
-        [program.stdout.strip(), f"_port:={PORT}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        [*program, f"_port:={PORT}"], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )
     try:
         end_s = time.monotonic() + 60.0
@@ -214,51 +231,78 @@ def compare(measurement: Measurement) -> None:
         say(f"ratio of the medians, {what}", f"{ratio:.3f}   (at most 1.05)")
 
 
-def measure(seconds: float) -> None:
+def measure(seconds: float, other: str) -> None:
     """Print the table."""
     import rospy
 
     try:
         measurement = Measurement(("pinging", "turning"))
         say("load of the machine at the start", " ".join(f"{value:.1f}" for value in os.getloadavg()))
-        with console() as node:
-            say("idle without a page", f"{share_of_core(node.pid, IDLE_S):.2f} % of a core   (at most 1)")
-            with open_pages(1):
-                # The first page makes the node read all files.
-                time.sleep(15.0)
-                say("idle with a page", f"{share_of_core(node.pid, IDLE_S):.2f} % of a core   (at most 1)")
-            times = event_to_page(EVENTS)
-            say("event to page", f"p50 {p(times, 0.5):.0f} ms, p95 {p(times, 0.95):.0f} ms   (p95 at most 100)")
-            try:
-                paints = first_paint(LOADS)
-                say("first paint", f"p50 {p(paints, 0.5):.0f} ms, worst {max(paints):.0f} ms   (at most 500)")
-            except ImportError as error:
-                say("first paint", f"not measured: {error}")
-            with open_pages(10):
-                # The first fifty commands fill the history.
-                for _ in range(60):
-                    measurement.to_goal_ms()
-                before_mb, before_s, start_s = memory_mb(node.pid), processor_s(node.pid), time.monotonic()
-                said = 0
-                while time.monotonic() < start_s + seconds:
-                    measurement.to_goal_ms()
-                    said += 1
-                    time.sleep(0.5)
-                took_s = time.monotonic() - start_s
-                grown_mb = memory_mb(node.pid) - before_mb
-                share = 100.0 * (processor_s(node.pid) - before_s) / took_s
-                say(
-                    f"ten pages, {took_s:.0f} s, {said} commands",
-                    f"{before_mb:.1f} MB {grown_mb:+.1f} MB, {share:.1f} % of a core",
-                )
-        compare(measurement)
+        if other:
+            measure_beside(measurement, seconds, other)
+        else:
+            with console() as node:
+                figures = figures_of(node, measurement, seconds)
+            tell(figures)
+            compare(measurement)
         say("load of the machine at the end", " ".join(f"{value:.1f}" for value in os.getloadavg()))
     finally:
         # A thread of actionlib would keep the process alive.
         rospy.signal_shutdown("done")
 
 
-def main(seconds: float) -> int:
+def figures_of(node: "subprocess.Popen[bytes]", measurement: Measurement, seconds: float) -> Dict[str, List[float]]:
+    """Return the figures of a page: percent of a core, milliseconds, megabytes."""
+    figures = {"idle without a page, % of a core": [share_of_core(node.pid, IDLE_S)]}
+    with open_pages(1):
+        # The first page makes the node read all files.
+        time.sleep(15.0)
+        figures["idle with a page, % of a core"] = [share_of_core(node.pid, IDLE_S)]
+    figures["event to page, ms"] = event_to_page(EVENTS)
+    try:
+        figures["first paint, ms"] = first_paint(LOADS)
+    except ImportError as error:
+        say("first paint", f"not measured: {error}")
+    with open_pages(10):
+        # The first fifty commands fill the history.
+        for _ in range(60):
+            measurement.to_goal_ms()
+        before_mb, before_s, start_s = memory_mb(node.pid), processor_s(node.pid), time.monotonic()
+        said = 0
+        while time.monotonic() < start_s + seconds:
+            measurement.to_goal_ms()
+            said += 1
+            time.sleep(0.5)
+        figures["ten pages, ms of a core for a command"] = [1000.0 * (processor_s(node.pid) - before_s) / said]
+        figures["ten pages, MB"] = [before_mb]
+        figures["ten pages, MB more at the end"] = [memory_mb(node.pid) - before_mb]
+    return figures
+
+
+def tell(figures: Dict[str, List[float]], whose: str = "") -> None:
+    """Print the figures of a page."""
+    for what, values in figures.items():
+        spread = f", p95 {p(values, 0.95):.1f}, worst {max(values):.1f}, of {len(values)}" if len(values) > 1 else ""
+        say(f"{what}{whose}", f"{statistics.median(values):.2f}{spread}")
+
+
+def measure_beside(measurement: Measurement, seconds: float, other: str) -> None:
+    """Print the figures of two versions that take turns, and their ratios."""
+    figures: Dict[str, Dict[str, List[float]]] = {"": {}, other: {}}
+    for turn in range(TURNS_BESIDE):
+        for checkout in ("", other) if turn % 2 == 0 else (other, ""):
+            with console(checkout) as node:
+                for what, values in figures_of(node, measurement, seconds).items():
+                    figures[checkout].setdefault(what, []).extend(values)
+    tell(figures[""], ", this")
+    tell(figures[other], ", the other")
+    for what, values in figures[""].items():
+        before = statistics.median(figures[other][what])
+        if before > 0 and not what.endswith("at the end"):
+            say(f"ratio, {what}", f"{statistics.median(values) / before:.2f}")
+
+
+def main(seconds: float, other: str) -> int:
     """Start the pipeline, a simulated robot and the measurement."""
     with OwnGraph() as graph:
         graph.start(["roslaunch", "-p", str(graph.port), "roboframenet_bringup", "pipeline.launch"])
@@ -266,13 +310,14 @@ def main(seconds: float) -> int:
         graph.start(["rosrun", "roboframenet_sim", "turtlebot_sim"])
         relay = os.path.join(os.path.dirname(os.path.abspath(__file__)), "stage_latency.py")
         graph.start([sys.executable, relay, "relay"])
-        return graph.run([sys.executable, os.path.abspath(__file__), "measure", str(seconds)])
+        return graph.run([sys.executable, os.path.abspath(__file__), "measure", str(seconds), other])
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["pages"]:
         pages(int(sys.argv[2]), sys.argv[3] == "tell")
     elif sys.argv[1:2] == ["measure"]:
-        measure(float(sys.argv[2]))
+        measure(float(sys.argv[2]), sys.argv[3])
     else:
-        sys.exit(main(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0))
+        checkout = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else ""
+        sys.exit(main(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0, checkout))

@@ -3,7 +3,7 @@
 import json
 import time
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Tuple
 
 from selenium import webdriver
 from selenium.common.exceptions import StaleElementReferenceException
@@ -162,6 +162,28 @@ class ConsoleBrowser:
     def press(self, *keys: str) -> None:
         """Press keys wherever the focus is."""
         ActionChains(self.driver).send_keys(*keys).perform()
+
+    def _touch(self, kind: str, points: List[Tuple[float, float]]) -> None:
+        touches = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)]
+        self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+
+    def _middle(self, selector: str) -> Tuple[float, float]:
+        box = self.run(f"document.querySelector({json.dumps(selector)}).getBoundingClientRect().toJSON()")
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def tap(self, selector: str) -> None:
+        """Touch an element with a finger."""
+        self._touch("touchStart", [self._middle(selector)])
+        self._touch("touchEnd", [])
+
+    def pinch(self, selector: str, before: float, after: float) -> None:
+        """Move two fingers on an element from one distance to another, pixels."""
+        x, y = self._middle(selector)
+        for step in range(11):
+            half = (before + (after - before) * step / 10) / 2
+            self._touch("touchMove" if step else "touchStart", [(x - half, y), (x + half, y)])
+            time.sleep(0.03)
+        self._touch("touchEnd", [])
 
     def find(self, selector: str) -> List[WebElement]:
         """Return the elements of a CSS selector."""

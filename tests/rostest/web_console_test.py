@@ -2,15 +2,18 @@
 """A person uses the page in a real browser; the whole graph and a simulated robot are behind it."""
 
 import contextlib
+import math
 import os
 import shutil
 import signal
 import unittest
+import urllib.request
 from typing import Iterator, List, Optional
 
 import rosgraph
 import rospy
-from nav_msgs.msg import Odometry
+from nav_msgs.msg import OccupancyGrid, Odometry
+from sensor_msgs.msg import Image
 from std_msgs.msg import Empty, String, UInt8MultiArray
 
 from roboframenet_rostest import wait_for_pipeline
@@ -39,6 +42,11 @@ except ImportError:
     HAS_BROWSER = False
 
 MARKUP = "<img src=x onerror=alert(1)> turn <b>left</b> 10 degrees"
+
+
+#: What the tab key has to reach, by its id, and whether it is on the screen.
+REACHED = "button[id], input[id]"
+IS_SEEN = "(one) => one.checkVisibility() && !one.disabled && !one.closest('details:not([open])')"
 
 
 def alive(node: str) -> Optional[int]:
@@ -225,6 +233,58 @@ class WebConsoleTest(unittest.TestCase):
             self.page.find("#log img, #mind img, #mind b b, .wide svg *:not(path):not(text):not(rect)"), []
         )
 
+    def test_7_past_conversations_are_found_judged_and_written_down(self) -> None:
+        page = self.page
+        page.find("#past-details summary")[0].click()
+        wait_until(lambda: MARKUP in page.texts("#past .first"), message=lambda: page.texts("#past"))
+        page.find("#past-words")[0].send_keys("smile")
+        wait_until(lambda: page.texts("#past .first") == ["Turn left 30 degrees with a smile."])
+        page.find("#past .past summary")[0].click()
+        page.click("#past .verdicts button", "Wrong")
+        wait_until(lambda: page.find("#past form input"), message=lambda: page.texts("#past"))
+        page.find("#past form input")[0].send_keys("Turn left 30 degrees.\n")
+        wait_until(lambda: page.texts("#past .teach"), message=lambda: page.texts("#past"))
+        page.find("#past-words")[0].send_keys(" :wrong")
+        wait_until(lambda: "%3Awrong" in str(page.run("document.querySelector('#past-files a').href")))
+        page.click("#past .teach", "Teach it")
+        taught = "When I say turn left 30 degrees with a smile, turn left 30 degrees."
+        self.assertEqual(page.run("document.getElementById('text').value"), taught)
+        page.find("#text")[0].clear()
+        address = page.run("document.querySelector('#past-files a').href")
+        with urllib.request.urlopen(address, timeout=10.0) as answer:
+            self.assertIn("means: Turn left 30 degrees.", answer.read().decode("utf-8"))
+        # A link to a moment, opened in a page that has just come.
+        link = str(page.run("document.querySelector('#past .verdicts a').href"))
+        page.driver.get("about:blank")
+        page.driver.get(link)
+        wait_until(page.is_connected)
+        smile = "“Turn left 30 degrees with a smile.”"
+        wait_until(lambda: page.texts("#mind .sentence span") == [smile], message=lambda: page.texts("#mind .sentence"))
+
+    def test_6_cameras_and_numbers_are_shown_while_somebody_looks(self) -> None:
+        page = self.page
+        publisher = rospy.Publisher("front_camera/image_raw", Image, queue_size=1)
+        image = Image(width=64, height=48, step=192, encoding="rgb8", data=bytes(range(192)) * 48)
+        timer = rospy.Timer(rospy.Duration.from_sec(0.2), lambda _event: publisher.publish(image))
+        try:
+            page.find("#senses summary")[0].click()
+            wait_until(lambda: "front camera" in page.texts("#cameras option"), message=lambda: page.texts("#senses"))
+            wait_until(lambda: page.run("document.querySelector('img.camera').naturalWidth") == 64)
+            page.click("#engineer", "Engineer's view")
+            wait_until(lambda: "odom: heading (degrees)" in page.texts("#plots .one option"))
+            page.run(
+                "(() => { const one = document.querySelector('#plots .one select'); one.value = "
+                "[...one.options].find((each) => each.text === 'odom: heading (degrees)').value; "
+                "one.dispatchEvent(new Event('change')); })()"
+            )
+            wait_until(lambda: "L" in str(page.run("document.querySelector('#plots .one path').getAttribute('d')")))
+            page.click("#engineer", "Engineer's view")
+            page.find("#senses summary")[0].click()
+            wait_until(lambda: publisher.get_num_connections() == 0, message="the camera is heard, and nobody looks")
+        finally:
+            timer.shutdown()
+            publisher.unregister()
+
     def test_7_page_fits_on_a_telephone(self) -> None:
         self.page.resize(*TELEPHONE)
         width = TELEPHONE[0]
@@ -310,6 +370,63 @@ class WebConsoleTest(unittest.TestCase):
             reached.add(self.page.run("document.activeElement.tagName + ' ' + document.activeElement.id"))
         self.assertIn("BUTTON send", reached)
         self.assertIn("INPUT filter", reached)
+
+    def test_7_touch_zooms_the_map_and_taps_buttons(self) -> None:
+        page = self.page
+        page.resize(*TELEPHONE)
+        page.tap(".tabs [data-part=map]")
+        size = "document.querySelector('path.robot-body')?.getBoundingClientRect().width ?? 0"
+        wait_until(lambda: page.run(size) > 0 and page.find("#ground")[0].is_displayed())
+        before = page.run(size)
+        page.pinch("#ground", 40, 120)
+        wait_until(lambda: page.run(size) > 1.5 * before, message=lambda: f"{before} {page.run(size)}")
+        page.tap(".tabs [data-part=more]")
+        wait_until(page.find("#filter")[0].is_displayed)
+        page.tap(".tabs [data-part=talk]")
+        page.resize(*WINDOW)
+
+    def test_7_with_keys_alone(self) -> None:
+        page = self.page
+        page.run("document.activeElement.blur()")
+        page.press("/")
+        page.press("Ping.", Keys.ENTER)
+        wait_until(lambda: page.texts("#log li:last-child .person") == ["Ping."])
+        self.assertEqual(page.reply(), "DONE")
+        # The map of the test before.
+        size = "parseFloat(document.querySelector('img.grid-picture').style.width)"
+        page.run("document.getElementById('ground').focus()")
+        before = page.run(size)
+        page.press("=")
+        wait_until(lambda: page.run(size) > 1.2 * before)
+        page.press("-")
+        wait_until(lambda: page.run(size) < 1.2 * before)
+        # Every button that is to be seen is reached by the tab key.
+        wanted = set(page.run(f"[...document.querySelectorAll('{REACHED}')].filter({IS_SEEN}).map((one) => one.id)"))
+        self.assertIn("stop", wanted)
+        reached = set()
+        page.run("document.activeElement.blur()")
+        for _ in range(120):
+            page.press(Keys.TAB)
+            reached.add(page.run("document.activeElement.id"))
+        self.assertEqual(wanted - reached, set())
+
+    def test_7_turned_map_is_drawn_turned(self) -> None:
+        grid = OccupancyGrid()
+        grid.header.frame_id = "map"
+        grid.info.width, grid.info.height, grid.info.resolution = 40, 20, 0.1
+        grid.info.origin.position.x, grid.info.origin.position.y = -1.0, -1.0
+        grid.info.origin.orientation.z, grid.info.origin.orientation.w = math.sin(0.25), math.cos(0.25)
+        grid.data = [100 if index < 40 else 0 for index in range(800)]
+        publisher = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        publisher.publish(grid)
+        wait_until(lambda: self.page.run("document.querySelector('img.grid-picture')?.naturalWidth ?? 0") == 40)
+        style = "document.querySelector('img.grid-picture').style"
+        self.assertIn("rotate(-0.5", self.page.run(f"{style}.transform"))
+        # The lower left corner, about which it is turned, stays: so the box is wider by the height's share.
+        box = "document.querySelector('img.grid-picture').getBoundingClientRect()"
+        width, long, high = (self.page.run(one) for one in (f"{box}.width", f"{style}.width", f"{style}.height"))
+        long_px, high_px = float(long[:-2]), float(high[:-2])
+        self.assertAlmostEqual(width, long_px * math.cos(0.5) + high_px * math.sin(0.5), delta=2.0)
 
     def test_8_page_finds_a_console_that_was_killed(self) -> None:
         before = process_of("/web_console")

@@ -45,7 +45,7 @@ ASKED = {
     "Tomorrow at three go to the hall.": "At 3:00 or at 15:00?",
     "Go to the kitchen tomorrow.": "At what time tomorrow?",
     "Every morning go to the kitchen.": "At what time every morning?",
-    "Go to the kitchen and turn off the oven at eight.": 'Which of it do you mean by "at eight"?',
+    "Go to the kitchen and turn off the oven at eight.": 'Which deed do you mean by "at eight"?',
     "Whenever the bell rings.": "What should I do whenever the bell rings?",
     "At eight.": "What should I do at eight?",
 }

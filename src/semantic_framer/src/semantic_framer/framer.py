@@ -276,7 +276,7 @@ class _Utterance:
             if not all(frames[reading.unit.frame_name].is_question for reading in best):
                 return heard
         elif isinstance(outcome, Refusal) and outcome.code not in _ENDING_QUESTIONS:
-            said = outcome.sentence if agreement(meant.tree.text) is None else "That is no answer to my question."
+            said = outcome.sentence if agreement(meant.tree.text) is None else "That does not answer my question."
             heard = replace(heard, outcome=replace(outcome, sentence=f"{said} I still ask: {pending.question}"))
         else:
             return heard
@@ -440,20 +440,20 @@ class _Utterance:
                 return Heard(*ask_which(choices, context, self._now), sentence)
             news = told_when(sentence, known, best)
             if news.found:
-                waited = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, news)}" is meant.')
+                waited = Refusal("CONDITION", f'I do not understand what "{joint_words(sentence, news)}" means here.')
                 return understand_linked(sentence, context, self._now, waited, news) or heard
             is_lost = has_lost_link(sentence, best)
             joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
             how = Joints() if joints.found else manners(sentence, known)
             if how.found or joints.found or is_lost:
                 how = how if how.found else joints
-                swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
+                swallowed = Refusal("CONDITION", f'I do not understand what "{joint_words(sentence, how)}" means here.')
                 return understand_linked(sentence, context, self._now, swallowed, how) or Heard(
                     swallowed, context, sentence
                 )
         words = swallowed_words(sentence, known, best)
         if words:
-            return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
+            return Heard(Refusal("CONDITION", f'I do not understand what "{words}" means here.'), context, sentence)
         return heard
 
     def _items_apart(self, sentence: Sentence, best: Sequence[Reading], context: Context) -> Optional[Heard]:

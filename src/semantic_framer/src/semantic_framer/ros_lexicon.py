@@ -95,4 +95,4 @@ class SharedLexicon:
         source = message._connection_header.get("callerid", "known_names")
         problems = self.names.hear(((known.name, known.semantic_types) for known in message.names), source)
         if problems:
-            rospy.logerr("the names are refused, the names before stay: %s", problems[0])
+            rospy.logerr("rejected new names, keeping the old ones: %s", problems[0])

@@ -59,7 +59,7 @@ def test_what_is_meant(understand: Any, text: str, frame: str) -> None:
 )
 def test_a_way_of_doing_is_asked_about(understand: Any, text: str, words: str) -> None:
     outcome, _ = understand(text, policy=Policy(left_over_words=LeftOverWords.ASK))
-    assert outcome == Question("LEFT_OVER_WORDS", f'I cannot take "{words}" into account. Shall I go on without it?')
+    assert outcome == Question("LEFT_OVER_WORDS", f'I cannot do the "{words}" part. Shall I do the rest?')
 
 
 def test_all_but_one_has_an_exception(understand: Any) -> None:

@@ -22,7 +22,7 @@ from semantic_frames.extra_thematic import extra_thematic_elements, load_extra_t
 )
 def test_phrase_is_asked_about_and_left_out_after_a_yes(understand: Any, text: str, name: str, words: str) -> None:
     asked, context = understand(text)
-    assert asked == Question("LEFT_OVER_WORDS", f'I cannot take "{words}" into account. Shall I go on without it?')
+    assert asked == Question("LEFT_OVER_WORDS", f'I cannot do the "{words}" part. Shall I do the rest?')
     outcome, _ = understand("Yes.", context)
     assert isinstance(outcome, Understood)
     assert name in {element.name for element in extra_thematic_elements()}

@@ -72,7 +72,7 @@ def test_what_was_understood_but_reaches_no_server_is_refused_by_its_words(
     known = FramedLexicon(lexicon, frames, heeded={"pushing": {"theme": EVERYTHING}})
     refused = outcome_of("Push the chair onto the table.", parser, known)
     assert isinstance(refused, Refusal) and refused.left_over == ("table",)
-    assert refused.sentence == 'I cannot take "onto the table" into account, so I do nothing.'
+    assert refused.sentence == 'I cannot do the "onto the table" part, so I do nothing.'
 
 
 def profiled(known: Any, frames: Any, frame: str, **statement: Any) -> FramedLexicon:

@@ -78,7 +78,7 @@ def test_an_idiom_is_asked_about_by_the_verb_of_the_examples_that_are_like_it(kn
 
 def test_what_nothing_is_like_is_refused_as_before(known: Any, parser: Any) -> None:
     refused = said("Make your way to the hall.", replace(known, likeness=Alike()), parser).outcome
-    assert refused == Refusal("NO_READING", 'I know "make", but not in this sentence.')
+    assert refused == Refusal("NO_READING", 'I know "make", but not used like this.')
 
 
 def test_a_refusal_says_what_can_be_done_that_is_near(known: Any, parser: Any) -> None:

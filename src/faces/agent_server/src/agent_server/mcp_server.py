@@ -321,7 +321,7 @@ class AgentServer:
                 try:
                     event = await asyncio.wait_for(queue.get(), SILENCE_S)
                 except asyncio.TimeoutError:
-                    sentence = f"Nobody has told of it for {SILENCE_S:.0f} s. It is cancelled."
+                    sentence = f"There is no news of it for {SILENCE_S:.0f} s. It is cancelled."
                     return Answer(command_id, "FAILED", "agent_server", "STAGE_SILENT", sentence)
                 if isinstance(event, Answer):
                     is_open = False

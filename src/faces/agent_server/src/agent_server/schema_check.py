@@ -24,7 +24,7 @@ def checked(schema: Schema, arguments: object) -> Dict[str, Any]:
         CallRefused: they do not fit the schema
     """
     if not isinstance(arguments, dict):
-        raise CallRefused("MALFORMED", "The arguments are no object.")
+        raise CallRefused("MALFORMED", "The arguments are not an object.")
     properties: Mapping[str, Schema] = schema["properties"]
     unknown = [str(name)[:40] for name in arguments if name not in properties]
     if unknown:
@@ -80,7 +80,7 @@ def _number(name: str, schema: Schema, value: float) -> float:
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        raise CallRefused("LIMIT", f"The {spoken(name)} is no finite number.")
+        raise CallRefused("LIMIT", f"The {spoken(name)} is not a finite number.")
     if schema["type"] == "integer" and number != int(number):
         raise CallRefused("WRONG_TYPE", f"The {spoken(name)} must be a whole number.")
     unit = f" {schema['unit']}" if "unit" in schema else ""

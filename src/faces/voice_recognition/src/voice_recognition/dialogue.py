@@ -223,7 +223,7 @@ Step = Tuple[State, Tuple[Action, ...]]
 CALLED = "Yes?"
 AGAIN = "Please say that again."
 YES_OR_NO = "Please say yes or no."
-ALL_RIGHT = "All right, I do not do it."
+ALL_RIGHT = "All right, I will not do it."
 NOT_ANSWERED = "I heard no answer, so I do nothing."
 
 

@@ -10,23 +10,27 @@ from tornado.ioloop import IOLoop, PeriodicCallback
 
 from command_server.ros_settings import StopTargets
 from roboframenet_ros.command_ids import came_by_action
+from roboframenet_ros.home_folder import file_in_ros_home
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from robot_stop.emergency import Emergency
 from robot_stop.ros_emergency import EmergencyWatch
 from robot_stop.settings import BrakeSettings
 from web_console.access import AccessError, check_access, read_token
 from web_console.board import Board
+from web_console.conversations import Conversation
 from web_console.history import MOST_COMMANDS, History
-from web_console.requests import Cancel, Listen, Request, Say, Sound
+from web_console.past import Past
+from web_console.requests import Cancel, Judge, Listen, Request, Say, Sound
 from web_console.ros_ground import GroundTap
 from web_console.ros_knowledge import KnowledgeTap
 from web_console.ros_listener import Listener
+from web_console.ros_sensors import SensorTap
 from web_console.ros_speaker import Speaker
 from web_console.ros_voice import VoiceTap
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
 from web_console.suggestions import Present, read_templates, suggest
-from web_console.views import AbilitiesView, EmergencyView, HealthView, StopView, SuggestionsView
+from web_console.views import AbilitiesView, EmergencyView, HealthView, PastView, StopView, SuggestionsView
 
 #: Changes are gathered for this long, so that a page is not drawn anew for each of several messages about one thing.
 _GATHER_S = 0.015
@@ -55,9 +59,23 @@ class WebConsole:
         self._frames: FrozenSet[str] = frozenset()
         self._present: Tuple[Present, ...] = ()
         self._said: Dict[str, None] = {}
+        robot = rospy.get_namespace().strip("/").replace("/", ".")
+        own_file = f"conversations.{robot}.sqlite" if robot else "conversations.sqlite"
+        self._past = Past(
+            os.path.expanduser(settings.conversations_file or file_in_ros_home(own_file)),
+            on_problem=lambda problem: rospy.logerr("past conversations: %s", problem),
+        )
+        self._past_changes = 0
+        self._sensors = SensorTap()
         self._site = Site(
             site_settings,
-            Callbacks(on_request=self._on_request, on_pages=self._on_pages, snapshot=self._board.snapshot),
+            Callbacks(
+                on_request=self._on_request,
+                on_pages=self._on_pages,
+                snapshot=self._board.snapshot,
+                past=self._past.text,
+                sensors=self._sensors,
+            ),
         )
         call_soon: Callable[..., None] = self._loop.add_callback
         self._speaker = Speaker(
@@ -69,7 +87,7 @@ class WebConsole:
             call_soon=call_soon,
             call_later=self._loop.call_later,
             on_change=self._flush_soon,
-            on_reply=self._suggest,
+            on_reply=self._on_reply,
             on_stop_report=self._on_stop_report,
         )
         self._emergency = EmergencyWatch(lambda state: call_soon(self._on_emergency, state))
@@ -87,7 +105,7 @@ class WebConsole:
             call_soon=call_soon,
             on_abilities=self._on_abilities,
             on_health=lambda view: self._show("health", view),
-            on_turn=self._ground.watch,
+            on_turn=self._watch,
         )
         self._voice = VoiceTap(call_soon=call_soon, on_voice=lambda view: self._show("voice", view))
         self._look = PeriodicCallback(self._ground.look, _LOOK_MS)
@@ -120,6 +138,13 @@ class WebConsole:
         self._site.close()
         self._knowledge.close(timeout_s=1.0)
         self._speaker.close()
+        self._past.close()
+        self._sensors.close()
+
+    def _watch(self, is_watched: bool) -> None:
+        """Hear what pages show, in the thread that may wait for the master."""
+        self._ground.watch(is_watched)
+        self._sensors.turn()
 
     def _show(self, kind: str, view: Any) -> None:
         if self._board.show(kind, view):
@@ -159,11 +184,23 @@ class WebConsole:
             self._voice.hear(request.pcm)
         elif isinstance(request, Cancel):
             self._speaker.cancel(request.command_id)
+        elif isinstance(request, Judge):
+            self._past.judge(request.command_id, request.verdict, request.meant)
+            self._show_past()
         else:
             self._speaker.stop(stays=request.stays)
 
     def _on_emergency(self, state: Emergency) -> None:
         self._show("emergency", EmergencyView(state.is_engaged, state.sentence))
+
+    def _on_reply(self, conversation: Conversation) -> None:
+        self._past.keep(conversation)
+        self._show_past()
+        self._suggest()
+
+    def _show_past(self) -> None:
+        self._past_changes += 1
+        self._show("past", PastView(self._past_changes))
 
     def _on_stop(self, stop: StopView) -> None:
         self._show("stop", stop)

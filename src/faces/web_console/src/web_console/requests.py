@@ -1,8 +1,10 @@
-"""What a page may ask for: five verbs, and nothing else."""
+"""What a page may ask for: six verbs, and nothing else."""
 
 import json
 from dataclasses import dataclass
 from typing import Union
+
+from web_console.conversations import RIGHT, WRONG
 
 #: A message of a page is not longer than this, in bytes; a text has at most four bytes a character.
 LONGEST_MESSAGE = 16 * 1024
@@ -52,7 +54,22 @@ class Stop:
     stays: bool = False
 
 
-Request = Union[Say, Cancel, Listen, Sound, Stop]
+@dataclass(frozen=True)
+class Judge:
+    """Keep a person's verdict of a past conversation.
+
+    Attributes:
+        command_id: of the conversation
+        verdict: right, wrong, or nothing
+        meant: in other words, when it was wrong
+    """
+
+    command_id: str
+    verdict: str
+    meant: str = ""
+
+
+Request = Union[Say, Cancel, Listen, Sound, Stop, Judge]
 
 
 class BadRequest(ValueError):
@@ -81,30 +98,44 @@ def read_request(message: object, *, longest_text: int) -> Request:
         longest_text: how many characters a sentence may have
 
     Raises:
-        BadRequest: it is none of the five verbs with its argument; for a person
+        BadRequest: it is none of the six verbs with its argument; for a person
     """
     if not isinstance(message, str) or len(message) > LONGEST_MESSAGE:
-        raise BadRequest("This is no request.")
+        raise BadRequest("This is not a request.")
     try:
         said = json.loads(message)
     except (ValueError, RecursionError):
-        raise BadRequest("This is no request.") from None
+        raise BadRequest("This is not a request.") from None
     if not isinstance(said, dict):
-        raise BadRequest("This is no request.")
+        raise BadRequest("This is not a request.")
     verb = said.get("verb")
     if verb in ("stop", "emergency_stop") and set(said) == {"verb"}:
         return Stop(stays=verb == "emergency_stop")
     if verb == "listen" and set(said) == {"verb"}:
         return Listen()
     if verb == "say" and set(said) == {"verb", "text"} and isinstance(said["text"], str):
-        text = " ".join("".join(sign if sign.isprintable() else " " for sign in said["text"]).split())
+        text = _in_words(said["text"], longest_text)
         if not text:
             raise BadRequest("There are no words in it.")
-        if len(said["text"]) > longest_text:
-            raise BadRequest(f"A sentence has at most {longest_text} characters; this one has {len(said['text'])}.")
         return Say(text)
-    if verb == "cancel" and set(said) == {"verb", "id"} and isinstance(said["id"], str):
-        if not 0 < len(said["id"]) <= _LONGEST_ID:
-            raise BadRequest("There is no such command.")
-        return Cancel(said["id"])
-    raise BadRequest("This is no request.")
+    if verb == "cancel" and set(said) == {"verb", "id"}:
+        return Cancel(_id_of(said["id"]))
+    if verb == "judge" and set(said) == {"verb", "id", "verdict", "meant"} and isinstance(said["meant"], str):
+        if said["verdict"] not in (RIGHT, WRONG, ""):
+            raise BadRequest("This is not a request.")
+        return Judge(_id_of(said["id"]), said["verdict"], _in_words(said["meant"], longest_text))
+    raise BadRequest("This is not a request.")
+
+
+def _in_words(text: str, longest_text: int) -> str:
+    if len(text) > longest_text:
+        raise BadRequest(f"A sentence has at most {longest_text} characters; this one has {len(text)}.")
+    return " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())
+
+
+def _id_of(said: object) -> str:
+    if not isinstance(said, str):
+        raise BadRequest("This is not a request.")
+    if not 0 < len(said) <= _LONGEST_ID:
+        raise BadRequest("There is no such command.")
+    return said

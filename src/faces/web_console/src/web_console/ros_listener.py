@@ -1,6 +1,8 @@
 """Hears the pipeline, and keeps the views of its commands."""
 
 import threading
+import time
+from collections import OrderedDict
 from typing import Any, Callable, Iterable, List, Tuple
 
 import rospy
@@ -22,10 +24,12 @@ from smach_msgs.msg import SmachContainerStatus
 from std_msgs.msg import String
 
 from web_console.board import Board
+from web_console.conversations import Conversation, Frame
 from web_console.history import History
 from web_console.ros_hearing import show
 from web_console.ros_values import (
     clause_views,
+    frames_of,
     learned_view,
     orders_view,
     parsed_words,
@@ -41,6 +45,8 @@ from web_console.views import ProblemsView, ProblemView, StatusView
 #: Messages are read when a command has passed most stages. A page may be late by less than a person sees.
 _PATIENCE_S = 0.03
 _LONGEST_DOING = 200
+#: Commands whose reply is awaited, at most; the oldest are forgotten.
+_MOST_OPEN = 1000
 
 
 class Listener:
@@ -60,7 +66,7 @@ class Listener:
         call_soon: Callable[..., None],
         call_later: Callable[..., object],
         on_change: Callable[[], None],
-        on_reply: Callable[[], None],
+        on_reply: Callable[[Conversation], None],
         on_stop_report: Callable[[StopReport], None],
     ) -> None:
         """Prepare; `start` subscribes.
@@ -71,7 +77,7 @@ class Listener:
             call_soon: calls a function in the thread of the event loop, from any thread
             call_later: calls a function in that thread after some seconds
             on_change: called in that thread after each change of the board
-            on_reply: called in that thread after each reply
+            on_reply: called in that thread after each reply, with what was said
             on_stop_report: called in that thread
         """
         self._board = board
@@ -83,6 +89,7 @@ class Listener:
         self._on_stop_report = on_stop_report
         self._lock = threading.Lock()
         self._waiting: List[Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = []
+        self._frames: OrderedDict[str, Tuple[Frame, ...]] = OrderedDict()
         self._problems: dict[str, Tuple[ProblemView, ...]] = {}
         self._subscribers: List[rospy.Subscriber] = []
 
@@ -156,6 +163,9 @@ class Listener:
     def _on_units(self, message: CommandLexicalUnits) -> None:
         command_id = self._heard(message.command)
         self._history.understood(command_id, clause_views(message))
+        self._frames[command_id] = frames_of(message)
+        while len(self._frames) > _MOST_OPEN:
+            self._frames.popitem(last=False)
         self.show([command_id])
 
     def _on_plan(self, message: CommandSemanticFrames) -> None:
@@ -180,8 +190,20 @@ class Listener:
 
     def _on_reply(self, reply: Reply) -> None:
         self._heard(reply.command)
-        self.show(self._history.replied(reply.command.id, reply_view(reply)))
-        self._on_reply_change()
+        view = reply_view(reply)
+        self.show(self._history.replied(reply.command.id, view))
+        self._on_reply_change(
+            Conversation(
+                id=reply.command.id,
+                # The clock of a simulation begins with 0; a person looks for a day.
+                stamp_s=round(time.time(), 3),
+                text=reply.command.text,
+                frames=self._frames.pop(reply.command.id, ()),
+                outcome=view.outcome,
+                code=view.code,
+                sentence=view.sentence,
+            )
+        )
 
     def _on_status(self, status: CommandStatus) -> None:
         for command in status.active:

@@ -30,6 +30,7 @@ from typed_arguments import TypedArgument
 from typed_arguments.ros_messages import frames_from_messages, from_message
 from web_console.arcs import ParsedWord
 from web_console.arguments import argument_view, trace_lines
+from web_console.conversations import Frame
 from web_console.ground import Pose, heading_of, map_png
 from web_console.learned import LearnedItemView, LearnedView
 from web_console.suggestions import Present
@@ -109,6 +110,15 @@ def clause_views(message: CommandLexicalUnits) -> Tuple[ClauseView, ...]:
     return tuple(
         ClauseView(clause.words, tuple(_reading(reading) for reading in clause.readings[:_MOST_READINGS]))
         for clause in message.clauses
+    )
+
+
+def frames_of(message: CommandLexicalUnits) -> Tuple[Frame, ...]:
+    """Return the best reading of each clause, as ``rfn record`` writes it."""
+    units = (min(clause.readings, key=lambda one: one.preference).lexical_unit for clause in message.clauses)
+    return tuple(
+        (unit.frame_name, tuple(sorted((one.name, one.argument) for one in unit.frame_elements if one.argument)))
+        for unit in units
     )
 
 

@@ -18,6 +18,7 @@ class Settings(Parameters):
         max_text_length: longest sentence, characters
         niceness: how much less processor time than the stages the node gets when it is scarce, as of nice(1)
         path_topics: topics of nav_msgs/Path that are drawn
+        conversations_file: where past conversations are kept; empty for ``conversations.sqlite`` in the ROS home folder
 
     Raises:
         ParameterError: a value out of its range
@@ -29,6 +30,7 @@ class Settings(Parameters):
     host_names: Tuple[str, ...] = parameter((), may_be_single=True)
     max_text_length: int = parameter(1000, least=1, most=4000)
     niceness: int = parameter(5, least=0, most=19)
+    conversations_file: str = parameter("")
     path_topics: Tuple[str, ...] = parameter(
         ("move_base/plan", "move_base/NavfnROS/plan", "move_base/GlobalPlanner/plan"), may_be_single=True
     )

@@ -4,19 +4,25 @@ import asyncio
 import hashlib
 import hmac
 import json
+import math
+import re
 import time
+from concurrent.futures import Future
 from dataclasses import dataclass, field
-from typing import Callable, Dict, Optional, Sequence, Set, Tuple, Union
+from typing import Callable, Dict, Optional, Protocol, Sequence, Set, Tuple, Union
 
 from tornado.httpserver import HTTPServer
 from tornado.web import Application, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
+from roboframenet_ros.sqlite_file import StoreError
 from web_console.access import host_pattern, is_local, is_token
 from web_console.outbox import Outbox
 from web_console.page_files import PageFile, read_page
+from web_console.past import FILES, LIST
 from web_console.rate_limit import Rate, RateLimit
 from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Sound, Stop, read_request, read_sound
+from web_console.sensing import NoPicture
 
 #: Beside the policy of `page_files`: in no frame of another page, and nothing told to another.
 HEADERS = {
@@ -39,6 +45,12 @@ SOUND_RATE = Rate(per_s=15.0, burst=30.0)
 #: A page that sends this many bad or too many messages is closed.
 _TOKEN_RATE = Rate(per_s=0.5, burst=5.0)
 _MOST_FAULTS = 50
+#: Searches of all pages in what was said.
+PAST_RATE = Rate(per_s=5.0, burst=20.0)
+#: Pictures and numbers of all pages.
+SENSOR_RATE = Rate(per_s=40.0, burst=80.0)
+_LONGEST_SEARCH = 200
+_MOST_NUMBERS = 4
 MOST_PAGES = 32
 
 
@@ -59,6 +71,19 @@ class SiteSettings:
     longest_text: int = 1000
 
 
+class Sensors(Protocol):
+    """Cameras and numbers, by their places in the list that was offered; `picture` and `numbers` raise `NoPicture`."""
+
+    def offered(self) -> str:
+        """Return the names of cameras and numbers as JSON."""
+
+    def numbers(self, places: Sequence[int]) -> str:
+        """Return the newest values of numbers as JSON."""
+
+    def picture(self, place: int) -> "Future[Tuple[str, bytes]]":
+        """Return the media type and the data of the newest picture of a camera."""
+
+
 @dataclass(frozen=True)
 class Callbacks:
     """Called in the thread of the event loop; none may block.
@@ -67,11 +92,15 @@ class Callbacks:
         on_request: a page asks for something
         on_pages: the number of pages has changed
         snapshot: returns all keys and messages for a new page
+        sensors: cameras and numbers
+        past: finds past conversations: the name of the list or file, words, and a time before which they were said
     """
 
     on_request: Callable[[Request], None]
     on_pages: Callable[[int], None]
     snapshot: Callable[[], Sequence[Tuple[str, str]]]
+    past: "Callable[[str, str, float], Future[str]]"
+    sensors: "Sensors"
 
 
 @dataclass
@@ -105,7 +134,14 @@ class Site:
         cookie = hmac.new(settings.token.encode(), b"web_console", hashlib.sha256).hexdigest()
         self._shared = _Shared(settings, callbacks, files, policy, cookie)
         now_s = time.monotonic()
-        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("sound", SOUND_RATE), ("token", _TOKEN_RATE)):
+        for name, rate in (
+            ("request", ALL_RATE),
+            ("stop", STOP_RATE),
+            ("sound", SOUND_RATE),
+            ("token", _TOKEN_RATE),
+            ("past", PAST_RATE),
+            ("sensors", SENSOR_RATE),
+        ):
             self._shared.limits[name] = RateLimit(rate, now_s)
         self._server: Optional[HTTPServer] = None
 
@@ -122,7 +158,9 @@ class Site:
             host_pattern(self._shared.settings.address, self._shared.settings.names),
             [
                 (r"/live", PageSocket, shared),
+                (r"/(sensors\.json|numbers\.json|camera)", _Sensor, shared),
                 (r"/(map-\d+\.png)", _Picture, shared),
+                (rf"/({'|'.join(map(re.escape, (LIST, *FILES)))})", _PastFile, shared),
                 (r"/([a-z_]*(?:\.[a-z]+)?)", _File, shared),
             ],
         )
@@ -240,6 +278,59 @@ class _Picture(_Guarded):
             return
         self.set_header("Content-Type", "image/png")
         self.finish(data)
+
+
+class _Sensor(_Guarded):
+    """What can be looked at, the newest numbers, and the newest picture of a camera."""
+
+    async def get(self, name: str) -> None:
+        if not self.shared.may("sensors"):
+            self.set_status(429)
+            self.finish("That was too fast. Please wait a second.\n")
+            return
+        sensors = self.shared.callbacks.sensors
+        kind = "application/json"
+        try:
+            if name == "sensors.json":
+                data: Union[str, bytes] = sensors.offered()
+            else:
+                said = self.get_query_argument("of", "") or ""
+                places = [int(one) for one in said.split(",")[:_MOST_NUMBERS] if one.isdecimal() and len(one) < 5]
+                if name == "numbers.json":
+                    data = sensors.numbers(places)
+                else:
+                    picture = await asyncio.wrap_future(sensors.picture(places[0] if places else -1))
+                    kind, data = picture
+        except NoPicture as error:
+            self.set_status(404)
+            self.finish(f"Nothing to see: {error}.\n")
+            return
+        self.set_header("Content-Type", kind)
+        self.finish(data)
+
+
+class _PastFile(_Guarded):
+    """What was said before: the list, and files to keep."""
+
+    async def get(self, name: str) -> None:
+        words = (self.get_query_argument("words", "") or "")[:_LONGEST_SEARCH]
+        if not self.shared.may("past"):
+            self.set_status(429)
+            self.finish("That was too fast. Please wait a second.\n")
+            return
+        try:
+            before_s = float(self.get_query_argument("before", "0") or 0.0)
+            text = await asyncio.wrap_future(
+                self.shared.callbacks.past(name, words, before_s if math.isfinite(before_s) else 0.0)
+            )
+        except (ValueError, StoreError) as error:
+            self.set_status(500 if isinstance(error, StoreError) else 400)
+            self.finish(f"{error}\n")
+            return
+        self.set_header("Content-Type", "application/json" if name == LIST else "text/plain; charset=utf-8")
+        if name != LIST:
+            self.set_header("Content-Disposition", f'attachment; filename="{name}"')
+        self.finish(text)
 
 
 class PageSocket(WebSocketHandler):

@@ -418,6 +418,13 @@ class OrdersView:
     orders: Tuple[OrderView, ...] = ()
 
 
+@dataclass(frozen=True)
+class PastView:
+    """How often the past conversations have changed, so that a page knows when to look again."""
+
+    changes: int = 0
+
+
 def as_json(kind: str, view: Any) -> str:
     """Write a message for the page: the name of the view, and the view."""
     return json.dumps({"view": kind, "value": view}, default=vars, separators=(",", ":"), allow_nan=False)

@@ -1,4 +1,4 @@
-"""A page can do five things, and nothing else."""
+"""A page can do six things, and nothing else."""
 
 import json
 
@@ -6,19 +6,23 @@ import pytest
 
 from web_console.outbox import MOST_WAITING, Outbox
 from web_console.rate_limit import Rate, RateLimit
-from web_console.requests import BadRequest, Cancel, Listen, Say, Stop, read_request
+from web_console.requests import BadRequest, Cancel, Judge, Listen, Say, Stop, read_request
 
 
 def read(**said):
     return read_request(json.dumps(said), longest_text=20)
 
 
-def test_five_verbs():
+def test_six_verbs():
     assert read(verb="say", text="Ping.") == Say("Ping.")
     assert read(verb="cancel", id="console-1") == Cancel("console-1")
     assert read(verb="stop") == Stop()
     assert read(verb="listen") == Listen()
     assert read(verb="emergency_stop") == Stop(stays=True)
+    assert read(verb="judge", id="console-1", verdict="wrong", meant=" Go\nhome. ") == Judge(
+        "console-1", "wrong", "Go home."
+    )
+    assert read(verb="judge", id="console-1", verdict="", meant="") == Judge("console-1", "")
 
 
 @pytest.mark.parametrize(
@@ -38,6 +42,11 @@ def test_five_verbs():
         '{"verb": "say", "text": ["Ping."]}',
         '{"verb": "cancel", "id": ""}',
         '{"verb": "cancel", "id": null}',
+        '{"verb": "judge", "id": "console-1", "verdict": "good", "meant": ""}',
+        '{"verb": "judge", "id": "console-1", "verdict": ["right"], "meant": ""}',
+        '{"verb": "judge", "id": "console-1", "verdict": "right"}',
+        '{"verb": "judge", "id": "", "verdict": "right", "meant": ""}',
+        '{"verb": "judge", "id": "console-1", "verdict": "wrong", "meant": "longer than 20 characters"}',
         '{"verb": ["stop"]}',
         '{"verb": "emergency_stop", "release": true}',
         '{"verb": "release"}',

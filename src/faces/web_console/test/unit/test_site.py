@@ -8,15 +8,18 @@ import hashlib
 import json
 import re
 import socket
+from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from roboframenet_ros.sqlite_file import StoreError
 from web_console.page_files import FOLDER
 from web_console.requests import LONGEST_MESSAGE, LONGEST_SOUND, Cancel, Say, Sound, Stop
-from web_console.site import MOST_PAGES, PAGE_RATE, Callbacks, Site, SiteSettings
+from web_console.sensing import NoPicture
+from web_console.site import MOST_PAGES, PAGE_RATE, PAST_RATE, Callbacks, Site, SiteSettings
 
 TOKEN = "0123456789abcdef"
 LIMIT_S = 20.0
@@ -34,9 +37,34 @@ class Console:
                 on_request=self.asked.append,
                 on_pages=self.counts.append,
                 snapshot=lambda: [("status", '{"view":"status","value":1}')],
+                past=self.past,
+                sensors=self,
             ),
         )
         self.port = self.site.listen([0])
+
+    def offered(self):
+        return '{"cameras":{"0":"front camera"},"numbers":{}}'
+
+    def numbers(self, places):
+        self.asked.append(places)
+        return "[1.5]"
+
+    def picture(self, place):
+        if place:
+            raise NoPicture("there is no such camera or number")
+        found = Future()
+        found.set_result(("image/jpeg", b"picture"))
+        return found
+
+    def past(self, name, words, before_s):
+        self.asked.append((name, words, before_s))
+        found = Future()
+        if words == "broken":
+            found.set_exception(StoreError("the disk is full"))
+        else:
+            found.set_result(f"{name} {words}")
+        return found
 
     async def fetch(self, path="/", **headers):
         request = HTTPRequest(f"http://127.0.0.1:{self.port}{path}", headers=headers, follow_redirects=False)
@@ -93,7 +121,7 @@ def test_other_machines_cannot_connect():
 
 def test_with_a_token_nothing_is_said_without_it():
     async def test(console):
-        for path in ("/", "/main.js", "/map-1.png", "/?token=wrong"):
+        for path in ("/", "/main.js", "/map-1.png", "/past.json", "/?token=wrong"):
             answer = await console.fetch(path)
             assert answer.code == 401 and b"canvas" not in answer.body
         assert await console.refusal() == 401
@@ -279,7 +307,7 @@ def test_other_requests_are_refused():
     async def test(console):
         page = await console.page()
         page.write_message('{"verb": "publish", "topic": "cmd_vel"}')
-        assert await notice(page) == "This is no request."
+        assert await notice(page) == "This is not a request."
         page.write_message(json.dumps({"verb": "say", "text": "x" * 51}))
         assert "at most 50 characters" in await notice(page)
         page.write_message(b"\x00\xff\x00", binary=True)
@@ -386,10 +414,67 @@ def test_page_that_drops_out_is_forgotten():
 
 def test_taken_port_is_skipped():
     async def test(console):
-        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list))
+        other = Site(SiteSettings(address="127.0.0.1"), Callbacks(print, print, list, print, print))
         with pytest.raises(OSError):
             other.listen([console.port])
         assert other.listen([console.port, 0]) not in (0, console.port)
         other.close()
+
+    with_console(test)
+
+
+# what was said before
+
+
+def test_past_conversations_are_found_and_kept_as_files():
+    async def test(console):
+        answer = await console.fetch("/past.json?words=cup&before=12.5")
+        assert (answer.body, answer.headers["Content-Type"]) == (b"past.json cup", "application/json")
+        answer = await console.fetch("/sentences.yaml?words=cup%20:wrong")
+        assert answer.body == b"sentences.yaml cup :wrong"
+        assert answer.headers["Content-Disposition"] == 'attachment; filename="sentences.yaml"'
+        assert console.asked == [("past.json", "cup", 12.5), ("sentences.yaml", "cup :wrong", 0.0)]
+
+    with_console(test)
+
+
+def test_searches_are_short_and_their_failures_are_told():
+    async def test(console):
+        await console.fetch(f"/past.json?words={'x' * 5000}")
+        assert len(console.asked[0][1]) == 200
+        assert (await console.fetch("/past.json?before=yesterday")).code == 400
+        await console.fetch("/past.json?before=nan")
+        assert console.asked[-1] == ("past.json", "", 0.0)
+        answer = await console.fetch("/past.json?words=broken")
+        assert (answer.code, answer.body) == (500, b"the disk is full\n")
+        answers = [(await console.fetch("/past.json")).code for _ in range(2 * int(PAST_RATE.burst))]
+        assert 429 in answers
+
+    with_console(test)
+
+
+# what it senses
+
+
+def test_pictures_and_numbers_are_asked_for_by_their_places():
+    async def test(console):
+        assert b"front camera" in (await console.fetch("/sensors.json")).body
+        answer = await console.fetch("/camera?of=0&at=1")
+        assert (answer.body, answer.headers["Content-Type"]) == (b"picture", "image/jpeg")
+        assert (await console.fetch("/numbers.json?of=3,1")).body == b"[1.5]"
+        assert console.asked == [[3, 1]]
+        answer = await console.fetch("/camera?of=1")
+        assert (answer.code, answer.body) == (404, b"Nothing to see: there is no such camera or number.\n")
+
+    with_console(test)
+
+
+def test_no_name_of_a_topic_is_read():
+    async def test(console):
+        assert (await console.fetch("/camera?of=/front_camera/image_raw")).code == 404
+        await console.fetch("/numbers.json?of=/odom,-1,%D9%A3x,99999,2,3,4,5,6,7")
+        assert console.asked == [[]]
+        await console.fetch("/numbers.json?of=2,3,4,5,6,7")
+        assert console.asked[-1] == [2, 3, 4, 5]
 
     with_console(test)

@@ -44,7 +44,7 @@ class StoppedPlans:
             plan = one_after_the_other(plans)
             self._command_plan.publish(CommandPlan(command=command_to_message(command), plan=plan))
         else:
-            sentence = "All right, I do not go on."
+            sentence = "All right, I will not go on."
             self._on_declined(Ending(command, Outcome.REFUSED, OWN_STAGE, DECLINED, sentence))
         return True
 

@@ -42,7 +42,7 @@ class WithdrawalCases(CommandServerCase):
         # The stages drop what was said before a stop.
         self.assertGreater(command.stamp, stop_stamp)
         self.fence()
-        self.send_event(command, "executor", is_final=True, sentence="I forget all 1 orders.")
+        self.send_event(command, "executor", is_final=True, sentence="I have forgotten all 1 orders.")
         reply = self.wait_for_reply("Forget everything!")
         self.assertEqual((Reply.DONE, "executor"), (reply.outcome, reply.stage))
 

@@ -11,7 +11,7 @@ NAMES = {"where": ("kitchen", "office")}
     ("code", "sentence", "answers"),
     [
         ("CONFIRM", 'Shall I really do this: "open drawer"? Say yes or no.', ("Yes", "No")),
-        ("LEFT_OVER_WORDS", 'I cannot take "slowly" into account. Shall I go on without it?', ("Yes", "No")),
+        ("LEFT_OVER_WORDS", 'I cannot do the "slowly" part. Shall I do the rest?', ("Yes", "No")),
         ("AMBIGUOUS", 'Do you mean "turn left"?', ("Yes", "No")),
         ("AMBIGUOUS", 'Which do you mean: "turn left" or "go back"?', ("turn left", "go back")),
         ("AMBIGUOUS", "Which one: the mug, the plate or the cup?", ("the mug", "the plate", "the cup")),
@@ -29,6 +29,25 @@ def test_answers(code, sentence, answers):
     # An example is no choice: another answer must not be heard as it.
     is_closed = code != "MISSING_ELEMENT" and not sentence.startswith("Where")
     assert closed_answers(code, sentence) == (answers if is_closed else ())
+
+
+@pytest.mark.parametrize(
+    ("sentence", "answers"),
+    [
+        ("Which mug, the red one or the blue one?", ("the red one", "the blue one")),
+        (
+            "Which mug, the red one of Anna in the hall or the blue one?",
+            ("the red one of Anna in the hall", "the blue one"),
+        ),
+        (
+            "Which door, the kitchen door, the hall door, the attic door or another one? I know of 9.",
+            ("the kitchen door", "the hall door", "the attic door"),
+        ),
+    ],
+)
+def test_named_things_can_be_chosen_and_others_be_said(sentence, answers):
+    assert answers_to("AMBIGUOUS", sentence, {}) == answers
+    assert closed_answers("AMBIGUOUS", sentence) == ()
 
 
 def test_there_are_not_too_many_answers():

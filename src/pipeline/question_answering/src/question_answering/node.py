@@ -172,7 +172,7 @@ class QuestionAnswering:
                 lambda: bool(self._said) and self._said[-1].stamp >= question.stamp, timeout=_STATUS_WAIT_S
             )
             if not self._is_told.wait_for(lambda: not self._unheard, timeout=_START_WAIT_S):
-                rospy.logwarn("nobody has told of %s; answers leave it out", ", ".join(sorted(self._unheard)))
+                rospy.logwarn("no data on %s yet; answers omit it", ", ".join(sorted(self._unheard)))
                 self._unheard.clear()
 
     def _on_question(self, frame: TypedFrame) -> None:

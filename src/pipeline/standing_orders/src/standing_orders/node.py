@@ -242,7 +242,7 @@ class StandingOrdersNode:
             order = same
         elif self._book.is_full:
             count = len(self._book.orders)
-            sentence = f"I keep {count} standing orders already. Take one back first."
+            sentence = f"I have {count} standing orders already. Take one back first."
             self._stage.ends(command, outcome=Reply.REFUSED, code="LIMIT", sentence=sentence)
             return
         elif not self._apply(self._book.give(order)):
@@ -389,7 +389,7 @@ class StandingOrdersNode:
             return (
                 f'I forget "{found[0].text.rstrip(" .!")}".'
                 if len(found) == 1
-                else f"I forget all {len(found)} orders."
+                else f"I have forgotten all {len(found)} orders."
             )
         return listing(orders, time.time(), self._zone, blind=self._faults(), due_ids=self._book.due_ids)
 

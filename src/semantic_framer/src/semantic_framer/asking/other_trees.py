@@ -233,4 +233,4 @@ def _refusal(heard: Heard) -> Refusal:
     """Return why a sentence is not acted on although it is understood."""
     arguments = [one for reading in _best(heard) for one in reading.arguments]
     said = max(arguments, key=lambda one: len(one.positions)).text
-    return Refusal("CONDITION", f'I do not understand how "{said}" is meant. Please say it in two sentences.')
+    return Refusal("CONDITION", f'I do not understand what "{said}" means here. Please say it in two sentences.')

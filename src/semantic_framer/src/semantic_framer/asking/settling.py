@@ -144,8 +144,8 @@ def _settled(
             said = join_with_and([f'"{argument.words}"' for argument in extra])
             now.write("left_over_words", said, "asked. No server heeds it.")
             pending = Pending(without_positions(clauses), 0, (), now.expires_s, is_about_words=True)
-            them = "it" if len(extra) == 1 else "them"
-            text = f"I cannot take {said} into account. Shall I go on without {them}?"
+            part = "part" if len(extra) == 1 else "parts"
+            text = f"I cannot do the {said} {part}. Shall I do the rest?"
             return Question("LEFT_OVER_WORDS", text), replace(context, pending=pending)
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []

@@ -367,7 +367,7 @@ def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
     wanted = {unit.frame_name for match in case.matches for unit in known.units_of(match.verb)}
     if not wanted & set(known.frames):
         return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
-    return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not in this sentence.')
+    return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not used like this.')
 
 
 def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:

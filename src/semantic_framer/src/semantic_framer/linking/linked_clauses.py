@@ -34,7 +34,7 @@ class Open(NoStructure):
 
 def which_of_it(words: str) -> str:
     """Return the question which deed some words belong to."""
-    return f'Which of it do you mean by "{words}"? Say it first, for instance: "{words[0].upper()}{words[1:]}, ...".'
+    return f'Which deed do you mean by "{words}"? Say it first, for instance: "{words[0].upper()}{words[1:]}, ...".'
 
 
 class Node(NamedTuple):

@@ -392,7 +392,7 @@ def _asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional
     meanwhile = [joint for joint in joints.found if joint.kind is LinkKind.BEFOREHAND]
     if meanwhile:
         words = sentence.text(sorted(meanwhile[0].positions))
-        text = f'I cannot take "{words[:1].lower()}{words[1:]}" into account. Shall I go on without it?'
+        text = f'I cannot do the "{words[:1].lower()}{words[1:]}" part. Shall I do the rest?'
         return Question("LEFT_OVER_WORDS", text)
     if any(joint.order is not None and joint.order.is_doubtful for joint in joints.found):
         labels = [leaf.label for leaf in leaves_of(plan)]

@@ -138,7 +138,8 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Se
     words = tuple(word.form for word in left if word.upos != "PUNCT")
     if unheeded and set(positions) <= {index for argument in unheeded for index in argument.positions}:
         said = join_with_and([f'"{argument.words or argument.text}"' for argument in unheeded])
-        return Refusal("LEFT_OVER_WORDS", f"I cannot take {said} into account, so I do nothing.", left_over=words)
+        part = "part" if len(unheeded) == 1 else "parts"
+        return Refusal("LEFT_OVER_WORDS", f"I cannot do the {said} {part}, so I do nothing.", left_over=words)
     return Refusal(
         "LEFT_OVER_WORDS",
         f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',

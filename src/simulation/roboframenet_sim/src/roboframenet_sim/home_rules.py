@@ -304,7 +304,7 @@ ROBOT_SIGHT_M = 6.0
 
 def check_dock(scene: Scene, action: Action) -> Optional[Failure]:
     """The station is where the robot stands."""
-    failure = has_trait(scene, action.theme, "station", "{} is no charging station.")
+    failure = has_trait(scene, action.theme, "station", "{} is not a charging station.")
     if failure is None and scene.distance_m(action.theme) > 1.0:
         failure = Failure("too_far", "I am not at the charging station.", action.theme)
     return failure

@@ -112,7 +112,7 @@ class RosHomeRobot:
             try:
                 action = action_of(handle.get_goal().frame)
             except (TypeError, ValueError) as error:
-                _abort(handle, Failure("unknown", f"This is no action: {error}."))
+                _abort(handle, Failure("unknown", f"This is not an action: {error}."))
                 continue
             with self._lock, self._company.acting(self._name) as home:
                 failure = home.begin(action)

@@ -1,6 +1,6 @@
 """Files of ``rfn test``: sentences, each with the reading that it must have."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, List, Tuple
 
 import yaml
@@ -8,7 +8,11 @@ import yaml
 from checked_files.marked_yaml import Reader, line_of
 from roboframenet_tools.recording import Frame, Record
 
-_EXPECTED = "a list of sentences, each with 'frames' or 'code'"
+_EXPECTED = "a list of sentences, each with 'frames', 'code' or 'means'"
+
+
+#: In the place of a code that no reply has.
+_NOT_UNDERSTOOD = "NOT UNDERSTOOD"
 
 
 @dataclass(frozen=True)
@@ -20,12 +24,20 @@ class ExpectedReading:
         frames: its frames with all of their arguments, in the order of the sentence; empty where ``code`` says why
         code: of the reply; empty when it is understood
         line: of the file, from 1
+        means: another sentence, which has to be understood, and in the same way
     """
 
     text: str
     frames: Tuple[Frame, ...] = ()
     code: str = ""
     line: int = 0
+    means: str = ""
+
+    def as_meant(self, meaning: Record) -> "ExpectedReading":
+        """Return what it must come to, given the reading of the other sentence."""
+        if meaning.is_understood:
+            return replace(self, frames=meaning.frames)
+        return replace(self, code=f"{_NOT_UNDERSTOOD} ({meaning.code})")
 
     def agrees(self, record: Record) -> bool:
         """Whether a sentence was read like this."""
@@ -34,7 +46,8 @@ class ExpectedReading:
         return record.is_understood and record.frames == self.frames
 
     def __str__(self) -> str:
-        return " ".join(part for part in (self.code, frames_in_words(self.frames)) if part)
+        meant = f'as "{self.means}":' if self.means else ""
+        return " ".join(part for part in (meant, self.code, frames_in_words(self.frames)) if part)
 
 
 def frames_in_words(frames: Tuple[Frame, ...]) -> str:
@@ -54,7 +67,7 @@ def load_sentences(text: str, path: str) -> Tuple[ExpectedReading, ...]:
     reader = Reader(path)
     found: List[ExpectedReading] = []
     for key, node in reader.sequence(reader.compose(text, _EXPECTED), "sentences"):
-        entry = reader.mapping(node, key, ("text", "frames", "code"), required=("text",))
+        entry = reader.mapping(node, key, ("text", "frames", "code", "means"), required=("text",))
         frames: List[Frame] = []
         for frame_key, frame in reader.sequence(entry.get("frames"), f"{key}.frames"):
             for name, elements in reader.free_mapping(frame, frame_key):
@@ -62,9 +75,14 @@ def load_sentences(text: str, path: str) -> Tuple[ExpectedReading, ...]:
                 pairs = [(reader.name(one, frame_key), reader.text(words, frame_key)) for one, words in said]
                 frames.append((reader.name(name, frame_key), tuple(sorted(pairs))))
         code = reader.text(entry.get("code"), f"{key}.code")
-        if entry and not frames and not code:
-            reader.report("EMPTY", node, key, "neither frames nor a code", "'frames', or the 'code' of the reply")
-        found.append(ExpectedReading(reader.name(entry.get("text"), f"{key}.text"), tuple(frames), code, line_of(node)))
+        means = reader.text(entry.get("means"), f"{key}.means")
+        if entry and not frames and not code and not means:
+            expected = "'frames', the 'code' of the reply, or what it 'means'"
+            reader.report("EMPTY", node, key, "no reading", expected)
+        if means and (frames or code):
+            reader.report("TWO_READINGS", node, key, "'means' beside 'frames' or 'code'", "one of them")
+        text = reader.name(entry.get("text"), f"{key}.text")
+        found.append(ExpectedReading(text, tuple(frames), code, line_of(node), means))
     reader.refuse_if_wrong()
     return tuple(found)
 

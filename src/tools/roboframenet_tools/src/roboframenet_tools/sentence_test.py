@@ -17,14 +17,16 @@ EXAMPLES = """examples:
   rfn test sentences.yaml --with my_robot
   rfn unknown said.jsonl --out sentences.yaml
 
-The file is a list. Each sentence has the frames that it must evoke, with all of their arguments, or the code of the
-reply that it must get:
+The file is a list. Each sentence has the frames that it must evoke, with all of their arguments, the code of the
+reply that it must get, or another sentence that means the same:
 
   - text: Go to the hall.
     frames:
     - navigating_to_location: {goal: the hall}
   - text: Thank you.
     code: TALK
+  - text: Off to the hall with you.
+    means: Go to the hall.
 
 Each sentence is read for itself. Nothing is carried out.
 exit status: 0 each is read so, 1 one is read in another way, 2 wrong usage
@@ -50,6 +52,8 @@ def run(arguments: argparse.Namespace) -> int:
     for path, sentences in files:
         for expected in sentences:
             record = record_of(to_json(pipeline.understand_safely(expected.text)))
+            if expected.means:
+                expected = expected.as_meant(record_of(to_json(pipeline.understand_safely(expected.means))))
             if not expected.agrees(record):
                 differing.append(expected)
                 print(f'{path}:{expected.line}: "{expected.text}"\n  - {expected}\n  + {record}', flush=True)

@@ -67,6 +67,18 @@ def test_the_export_fails_as_a_test_until_the_unit_is_there(tmp_path: Path, caps
     assert capsys.readouterr().out == "2 sentences, 0 differ\n"
 
 
+def test_what_means_another_sentence_is_read_as_that(tmp_path: Path, capsys: Any) -> None:
+    path = tmp_path / "sentences.yaml"
+    lines = ("- {text: Close the door., means: Close the door}", "- {text: Turn left., means: Turn right.}")
+    path.write_text("\n".join((*lines, "- {text: Hum., means: Hum.}")), encoding="utf-8")
+    assert main(["test", str(path)]) == 1
+    told = capsys.readouterr().out
+    assert told.endswith("3 sentences, 2 differ\n")
+    assert '"Turn left."\n  - as "Turn right.": turning(' in told
+    # What is not understood itself says nothing about another sentence.
+    assert '"Hum."\n  - as "Hum.": NOT UNDERSTOOD' in told
+
+
 def test_what_cannot_be_read_is_told(tmp_path: Path, capsys: Any) -> None:
     (tmp_path / "bad").write_text("{", encoding="utf-8")
     for command in ("unknown", "test"):
@@ -92,6 +104,7 @@ def test_a_file_of_sentences_is_read_as_it_was_written() -> None:
     [
         ("- text: Go.\n", "EMPTY"),
         ("- frames: [{going: {}}]\n", "MISSING_KEY"),
+        ("- text: Go.\n  means: Leave.\n  code: NO_VERB\n", "TWO_READINGS"),
         ("- text: Go.\n  reading: x\n", "UNKNOWN_KEY"),
         ("- text: Go.\n  frames: going\n", "WRONG_TYPE"),
         ("- text: Go.\n  frames: [{going: [here]}]\n", "WRONG_TYPE"),

@@ -87,6 +87,7 @@ export class Ground {
     this.labels.setAttribute("aria-hidden", "true");
     this.map.on("dragstart", () => { this.isTouched = true; });
     this.element.addEventListener("wheel", () => { this.isTouched = true; }, { passive: true });
+    this.element.addEventListener("touchstart", (event) => { if (event.touches.length > 1) this.isTouched = true; }, { passive: true });
     this.element.addEventListener("click", (event) => { if (event.target.closest(".leaflet-control-zoom")) this.isTouched = true; });
     this.element.addEventListener("keydown", () => { this.isTouched = true; });
     this.map.on("zoom move resize", () => this.label());
@@ -99,7 +100,7 @@ export class Ground {
     const map = this.view.map;
     const rooms = this.view.landmarks.filter((one) => one.kind === "room");
     const points = [];
-    if (map) points.push([map.y_m, map.x_m], [map.y_m + map.height_m, map.x_m + map.width_m]);
+    if (map) points.push(...cornersOfMap(map));
     for (const one of rooms) points.push(...corners(one));
     if (!points.length) {
       const near = [...this.view.path, ...this.view.landmarks, ...(this.pose ? [this.pose] : []), ...this.trail];
@@ -142,7 +143,15 @@ export class Ground {
 
   picture(map) {
     const bounds = [[map.y_m, map.x_m], [map.y_m + map.height_m, map.x_m + map.width_m]];
-    if (Math.abs(map.heading_rad) < 0.01) this.L.imageOverlay(map.address, bounds, { className: "grid-picture", alt: "Map" }).addTo(this.rooms);
+    const overlay = this.L.imageOverlay(map.address, bounds, { className: "grid-picture", alt: "Map" });
+    // Leaflet places it as if it were not turned; its origin is its lower left corner.
+    const place = overlay._reset;
+    overlay._reset = function reset() {
+      place.call(this);
+      this._image.style.transformOrigin = "0 100%";
+      this._image.style.transform += ` rotate(${-map.heading_rad}rad)`;
+    };
+    overlay.addTo(this.rooms);
   }
 
   mark(one) {
@@ -205,6 +214,12 @@ export class Ground {
 
 const at = (one) => [one.y_m, one.x_m];
 const pixels = (point) => ({ x: point.x, y: point.y });
+
+function cornersOfMap(map) {
+  const cos = Math.cos(map.heading_rad), sin = Math.sin(map.heading_rad);
+  return [[0, 0], [map.width_m, 0], [map.width_m, map.height_m], [0, map.height_m]].map(([along, across]) =>
+    [map.y_m + along * sin + across * cos, map.x_m + along * cos - across * sin]);
+}
 
 function corners(one) {
   const cos = Math.cos(one.heading_rad), sin = Math.sin(one.heading_rad);

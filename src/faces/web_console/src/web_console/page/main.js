@@ -4,12 +4,15 @@ import { drawMind } from "./mind.js";
 import { tick } from "./dom.js";
 import { Ground } from "./ground.js";
 import { drawLearned } from "./learned.js";
+import { Past } from "./past.js";
+import { Senses } from "./senses.js";
 import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
 import { Microphone } from "./microphone.js";
 import { Talk } from "./talk.js";
 
 const MOST_COMMANDS = 50;
 const KEEP_STOP_MS = 10000;
+const FOLLOW_MS = 500;
 const byId = (id) => document.getElementById(id);
 
 const commands = new Map();
@@ -17,11 +20,18 @@ let selected = "";
 let socket = null;
 let wait = 200;
 let pendingStop = null;
+let isFollowed = false;
 let status = { sentence: "", active: [] };
 let stop = { number: 0, state: "", sentence: "" };
 
 const ground = new Ground(byId("ground"), byId("ground-text"), byId("ground-card"));
 const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose, listen: () => ask({ verb: "listen" }) });
+
+new Senses(byId("senses"), byId("cameras"), byId("plots"));
+const past = new Past({
+  judge: (id, verdict, meant) => ask({ verb: "judge", id, verdict, meant }),
+  offer: (text) => { show("talk"); talk.offer(text); },
+});
 
 function ask(request) {
   if (socket && socket.readyState === WebSocket.OPEN) {
@@ -104,6 +114,7 @@ const views = {
   learned: (view) => drawLearned(view, (text) => ask({ verb: "say", text })),
   pose: (view) => ground.move(view),
   ground: (view) => ground.surround(view),
+  past: () => past.changed(),
   stop: showStop,
   emergency: showEmergency,
   notice: (view) => say(view.text, "bad"),
@@ -124,6 +135,9 @@ function connect() {
     if (pendingStop && Date.now() - pendingStop.since < KEEP_STOP_MS) ask({ verb: pendingStop.verb });
     pendingStop = null;
     showState();
+    // What the node still has comes first.
+    if (!isFollowed) setTimeout(follow, FOLLOW_MS);
+    isFollowed = true;
   });
   socket.addEventListener("message", (event) => {
     const message = JSON.parse(event.data);
@@ -183,13 +197,27 @@ byId("large").addEventListener("click", () => {
 });
 
 // On a telephone one part is on the screen at a time.
-for (const tab of document.querySelectorAll(".tabs button")) {
-  tab.addEventListener("click", () => {
-    document.body.dataset.part = tab.dataset.part;
-    for (const other of document.querySelectorAll(".tabs button")) other.removeAttribute("aria-current");
-    tab.setAttribute("aria-current", "true");
-  });
+function show(part) {
+  document.body.dataset.part = part;
+  for (const tab of document.querySelectorAll(".tabs button")) {
+    if (tab.dataset.part === part) tab.setAttribute("aria-current", "true"); else tab.removeAttribute("aria-current");
+  }
 }
+for (const tab of document.querySelectorAll(".tabs button")) tab.addEventListener("click", () => show(tab.dataset.part));
+
+// A link to a moment: the command is chosen, or found among what was said before.
+function follow() {
+  const id = new URLSearchParams(location.hash.slice(1)).get("said");
+  if (!id) return;
+  if (commands.has(id)) {
+    show("plan");
+    choose(id);
+    return;
+  }
+  show("more");
+  past.find(id);
+}
+addEventListener("hashchange", follow);
 setInterval(() => { if (!document.hidden) tick(); }, 1000);
 
 redraw();

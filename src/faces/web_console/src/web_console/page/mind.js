@@ -61,6 +61,7 @@ function person(view, cancel) {
         make("span", { class: "task" }, task.text, task.note ? make("small", {}, task.note) : null),
         make("span", { class: "hidden" }, `, ${SPOKEN[task.state] || task.state}`)))) : null,
     view.reply ? make("p", { class: `reply ${view.reply.outcome}` }, view.reply.sentence) : make("p", { class: "reply" }, view.now || "...", seconds(view.since)),
+    view.reply ? make("p", { class: "quiet" }, make("a", { href: `#said=${encodeURIComponent(view.id)}` }, "Link to this")) : null,
     view.reply && view.reply.help ? make("p", { class: "quiet" }, view.reply.help) : null,
     tried.length > 1 ? make("details", { "data-key": "did", open: Boolean(view.reply && view.reply.outcome === "FAILED") },
       make("summary", {}, view.reply && view.reply.outcome === "FAILED" ? "What it tried" : "What it did"),
