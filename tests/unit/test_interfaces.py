@@ -49,6 +49,8 @@ SUMS = {
     "roboframenet_msgs/HeededElement": "6a7eb758bbfe9bc27a64ff03e6697d2b",
     "roboframenet_msgs/KnownName": "8c88d6e9e3ec55fb75efe3cc8092bf47",
     "roboframenet_msgs/KnownNames": "66d6a2aceddbb587bc9c830a4a59e045",
+    "roboframenet_msgs/Learned": "052a335457dbc2fac4c21f205348862f",
+    "roboframenet_msgs/LearnedItem": "82ca966812c643ad0342e0039110d58b",
     "roboframenet_msgs/LexicalUnitReading": "85db7633d5df0c383c97487518d9e959",
     "roboframenet_msgs/Lexicon": "ccf56eabb845a05f5695134bab46cff4",
     "roboframenet_msgs/Locations": "a528a136f6c6b68beaf8e529bd27b9ef",
