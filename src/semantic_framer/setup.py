@@ -19,7 +19,7 @@ PACKAGES = [
     "semantic_framer.values",
 ]
 DATA = {
-    "semantic_framer.changing": ["beginnings.yaml", "objections.yaml"],
+    "semantic_framer.changing": ["objections.yaml"],
     "semantic_framer.clauses": ["fragments.yaml"],
     "semantic_framer.judging": ["unread_words.yaml"],
     "semantic_framer.kinds": ["moods.yaml"],

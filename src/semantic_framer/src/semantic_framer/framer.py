@@ -8,13 +8,13 @@ from semantic_framer.asking.choices import chosen
 from semantic_framer.asking.nearest_meanings import asked_about
 from semantic_framer.asking.other_trees import best_of_trees
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.changing.beginnings import beginning_of, without_beginning
 from semantic_framer.changing.fragment_changes import last_command
 from semantic_framer.changing.objections import against_what_runs
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.judging.said_words import RULE, words_left
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
+from semantic_framer.linking.beginnings import beginning_of, without_beginning
 from semantic_framer.linking.clause_links import answers_a_question, asks_whether, find_joints, tells_how_long
 from semantic_framer.linking.joints import Joints
 from semantic_framer.linking.mixed_lists import are_handled_apart, with_items_apart

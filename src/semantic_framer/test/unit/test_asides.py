@@ -12,7 +12,6 @@ OPENINGS = (
     "how about you {}",
     "I was wondering if you could {}",
     "do me a favour and {}",
-    "be a dear and {}",
     "if you don't mind, {}",
     "would it be possible for you to {}",
     "I think you should {}",
@@ -30,7 +29,6 @@ OPENINGS = (
     "help me {}",
     "robot, would you be able to {}",
     "quick, {}",
-    "any chance you could {}",
 )
 ENDINGS = (
     "{} if you don't mind",

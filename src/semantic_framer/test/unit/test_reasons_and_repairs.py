@@ -108,9 +108,6 @@ def said(outcome: Any) -> str:
         ("Come closer.", "arriving(goal=me)"),
         # Openings of people who learn English, and of polite ones.
         ("I want that you go to the kitchen.", "navigating_to_location(goal=the kitchen)"),
-        ("Can you to bring me the book?", "bringing(theme=the book, beneficiary=me, agent=you)"),
-        ("Please to close the door.", "closing(container_portal=the door)"),
-        ("Could I possibly trouble you for a cup of tea?", "bringing(theme=a cup of tea)"),
         ("Bring me a screwdriver asap.", "bringing(theme=a screwdriver, beneficiary=me)"),
         # A thing and "please".
         ("Coffee please.", "bringing(theme=coffee)"),

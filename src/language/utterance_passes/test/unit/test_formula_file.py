@@ -128,7 +128,6 @@ def formulas_with(pattern: str) -> Tuple[Formula, ...]:
         ('[{pattern: "(so", example: a, becomes: b}]', "BAD_PATTERN", "openings[0].pattern"),
         ('[{pattern: "Please", example: a, becomes: b}]', "NOT_LOWER_CASE", "openings[0].pattern"),
         ("[{pattern: so, becomes: b}]", "MISSING_KEY", "openings[0].example"),
-        ("[{pattern: so, example: a}]", "MISSING_KEY", "openings[0].becomes"),
         ("[]", "EMPTY", "openings"),
         ("so", "WRONG_TYPE", "openings"),
     ],

@@ -170,7 +170,7 @@ class _Finder:
         times = times_at(self._said.forms[place:])
         if times is not None:
             end = place + times.length
-            joint = self._said.joint(Link(times.kind.value, times.kind), place, end, times.length, None)
+            joint = self._said.joint(Link(times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self._said.forms[place:])
         if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place, place + length)):
@@ -181,13 +181,13 @@ class _Finder:
         """Return which item of a list comes before which: "but not the hall before the office"."""
         of_all = end_order(self._said.words, place, frozenset(word.lemma.lower() for word in self._said.words[:place]))
         if of_all is not None:
-            link, behind = Link(LinkKind.IN_ORDER.value, LinkKind.IN_ORDER), place + of_all.length
+            link, behind = Link(LinkKind.IN_ORDER), place + of_all.length
             return replace(self._said.joint(link, place, behind, of_all.length, None), order=of_all), behind
         order = item_order(self._said.words, place)
         if order is None or (order.is_list and self._conditions.linked(order.border)[0] is not None):
             return None, 0  # "Open the door after the bell rings" waits for the bell.
         end = place + order.length
-        joint = self._said.joint(Link(LinkKind.IN_ORDER.value, LinkKind.IN_ORDER), place, end, order.length, None)
+        joint = self._said.joint(Link(LinkKind.IN_ORDER), place, end, order.length, None)
         if not order.is_list:
             return replace(joint, order=order), end
         # The items of a new list stay in the sentence.
@@ -210,7 +210,7 @@ class _Finder:
             return None, 0  # "While you drive, sing": which of them ends the other?
         if kind is not LinkKind.MEANWHILE and is_front != (kind is LinkKind.BEFORE):
             kind = LinkKind.THEN  # The deeds are said in the order in which they are done.
-        joint = self._said.joint(Link(kind.value, kind), place, place + deed.length, deed.length, None)
+        joint = self._said.joint(Link(kind), place, place + deed.length, deed.length, None)
         return replace(joint, verb=deed.verb), place + deed.length
 
     def _joiner(self, place: int) -> Tuple[Optional[Joint], int]:

@@ -4,17 +4,41 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
 from checked_files.marked_yaml import Reader
 from checked_files.source_files import read_text
+from semantic_framer.linking.elliptic_clauses import Case, elliptic_clause
 from semantic_framer.values.phrase_table import PhraseTable
+from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
-_SECTIONS = ("links", "joiners", "checks", "answers", "deeds", "orders", "counts", "bounds", "bounds_behind")
+_MAPPINGS = ("kinds_of_order", "limits")
+_TABLES = (
+    "links",
+    "links_before_that",
+    "joiners",
+    "afterwards",
+    "answers",
+    "deeds",
+    "orders",
+    "kinds_of_order",
+    "limits",
+)
+_LISTS = ("checks", "adverbs", "adverbs_of_nearness")
+_WHETHER = word_class("whether_words")
+_NOT = word_class("not")
+_CONJUNCTIONS = word_class("linking_conjunctions") | {"or"}
+_HEADS_OF_ORDER = frozenset(["order", "sequence"])
+#: What says nothing about an order.
+_BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs") | frozenset(["particular", "special"])
+#: The most words of "in any order that you like" before and behind "order".
+_LONGEST_ORDER = 6
+#: Comparatives of a limit: "no *more* than", "no *fewer* than".
+_COMPARATIVES = frozenset(["more", "longer"]), frozenset(["less", "fewer"])
 
 
 class LinkKind(Enum):
@@ -51,53 +75,109 @@ class Link:
     """A word, or several, that join something.
 
     Attributes:
-        name: as in the file
         kind: what it means
-        question: asks for what is missing behind it; empty for none
     """
 
-    name: str
     kind: LinkKind
-    question: str = ""
+
+    @property
+    def question(self) -> str:
+        """Asks for the condition that is missing behind it."""
+        return f"{self.kind.value.capitalize()} {'when' if self.kind is LinkKind.UNTIL else 'what'}?"
 
 
 @dataclass(frozen=True)
 class Links:
-    """The content of the file.
+    """The content of the file, and the rules that make longer words of it.
 
     Attributes:
         links: what stands before a condition, by its words
         joiners: what stands before a deed, by its words
-        checks: words before a condition that is checked first: "*check whether* it is open"
-        answers: what stands behind such a condition, by its words: "*if so*, close it"
+        afterwards: the joiners that also stand behind a deed
+        checks: verbs before a condition that is checked first: "*check* whether it is open"
+        answers: what stands behind a condition that is checked, by its words: "*if so*, close it"
         deeds: what stands before a deed that another one precedes or follows, by its words
+        adverbs: may stand before a link: "*only* when"
+        adverbs_of_nearness: may stand before "before" and "after"
         orders: what says how several deeds, or all of them, are done, by its words
-        counts: what stands before a number of times, by its words
-        bounds: words before the longest time that something may take
-        bounds_behind: words behind "for" and such a time: "for an hour *at most*"
+        kinds_of_order: the same, by what stands before "order"
+        limits: a least or a largest number, by its superlative: "at the *most*"
     """
 
     links: PhraseTable[Link]
     joiners: PhraseTable[Link]
-    checks: PhraseTable[bool]
+    afterwards: PhraseTable[Link]
+    checks: FrozenSet[str]
     answers: PhraseTable[Link]
     deeds: PhraseTable[Link]
+    adverbs: FrozenSet[str]
+    adverbs_of_nearness: FrozenSet[str]
     orders: PhraseTable[Link]
-    counts: PhraseTable[Link]
-    bounds: PhraseTable[bool]
-    bounds_behind: PhraseTable[bool]
+    kinds_of_order: Mapping[str, Link]
+    limits: Mapping[str, Link]
 
     def link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the link that words in lower case begin with, and its number of words; None and 0 for no link."""
-        return self.links.at(forms)
+        return self._behind_adverbs(self.links, forms)
+
+    def deed_link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the words before a deed that words in lower case begin with, and their number; None and 0 for none."""
+        return self._behind_adverbs(self.deeds, forms)
+
+    def _behind_adverbs(self, table: PhraseTable[Link], forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the link behind adverbs and "but": "*but only* if", "*right* after"."""
+        place = int(list(forms[:1]) == ["but"])
+        while forms[place : place + 1] and forms[place] in self.adverbs | self.adverbs_of_nearness:
+            place += 1
+        link, length = table.at(forms[place:])
+        adverbs = forms[:place]
+        is_of_time = forms[place : place + 1] and forms[place] in ("before", "after")
+        is_said = is_of_time or (adverbs[-1:] and adverbs[-1] in self.adverbs) or not adverbs
+        return (link, place + length) if link is not None and is_said else (None, 0)
 
     def joiner_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
-        return self.joiners.at(forms)
+        joiner, length = self.joiners.at(forms)
+        if joiner is not None:
+            return joiner, length
+        place = 0
+        while forms[place : place + 1] and forms[place] in _CONJUNCTIONS:
+            place += 1
+        joiner, length = self.joiners.at(forms[place:])
+        if joiner is None:
+            clause = elliptic_clause(forms[place:])
+            kind = _JOINERS.get(clause.case) if clause is not None else None
+            joiner, length = (Link(kind), clause.length) if clause is not None and kind else (None, 0)
+        return (joiner, place + length) if joiner is not None else (None, 0)
+
+    def beginning_at(self, forms: Sequence[str], *, is_front: bool) -> Tuple[Optional[LinkKind], int]:
+        """Return when a command begins, by words in lower case before or behind it.
+
+        Returns:
+            THEN or MEANWHILE, and the number of these words: "and then", "meanwhile"; None and 0 for other words
+        """
+        place = int(list(forms[:1]) == ["and"]) if is_front else 0
+        has_then = is_front and list(forms[place : place + 1]) == ["then"]
+        place += has_then
+        joiner, length = self.afterwards.at(forms[place:])
+        if joiner is None:
+            joiner, length = self.joiners.at(forms[place:])
+            is_next = is_front and list(forms[place : place + 1]) == ["next"]
+            joiner = joiner if joiner is not None and (is_next or joiner.kind is LinkKind.MEANWHILE) else None
+        clause = None if joiner is not None else elliptic_clause(forms[place:])
+        kind = joiner.kind if joiner is not None else None
+        if clause is not None and clause.case in (Case.DONE, Case.GOES_ON):
+            kind, length = _JOINERS[clause.case], clause.length
+        if kind is not None:
+            return kind, place + length
+        return (LinkKind.THEN, place) if has_then else (None, 0)
 
     def check_at(self, forms: Sequence[str]) -> int:
         """Return the number of words before a condition to be checked that words in lower case begin with; or 0."""
-        return self.checks.at(forms)[1]
+        place = 1 if forms and forms[0] in self.checks else 0
+        place += list(forms[place : place + 1]) == ["out"]
+        place += 2 * (list(forms[place : place + 2]) == ["to", "see"])
+        return place + 1 if place and forms[place : place + 1] and forms[place] in _WHETHER else 0
 
     def answer_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:
         """Return in which case what follows is done, by the words in lower case behind a condition that is checked.
@@ -105,37 +185,99 @@ class Links:
         Returns:
             IF or UNLESS, and the number of these words; None and 0 for other words
         """
-        answer, length = self.answers.at(forms)
-        if answer is not None:
-            return answer.kind, length
-        joiner, length = self.joiners.at(forms)
+        length = self.case_at(forms)
+        if length:
+            return LinkKind.IF, length
+        joiner, length = self.joiner_at(forms)
         is_other_case = joiner is not None and joiner.kind is LinkKind.OTHERWISE
         return (LinkKind.UNLESS, length) if is_other_case else (None, 0)
 
-    def deed_link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
-        """Return the words before a deed that words in lower case begin with, and their number; None and 0 for none."""
-        return self.deeds.at(forms)
+    def case_at(self, forms: Sequence[str]) -> int:
+        """Return the number of words that words in lower case begin with for "if so"; 0 for other words."""
+        place = int(list(forms[:1]) == ["and"])
+        place += place and int(list(forms[place : place + 1]) == [","])
+        clause = elliptic_clause(forms[place:])
+        length = clause.length if clause is not None and clause.case is Case.HOLDS else 0
+        length = length or self.answers.at(forms[place:])[1]
+        return place + length if length else 0
 
     def order_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the order that words in lower case begin with, and its number of words; None and 0 for none."""
-        return self.orders.at(forms)
+        link, length = self.orders.at(forms)
+        if link is not None or list(forms[:1]) != ["in"]:
+            return link, length
+        head = next((place for place, form in enumerate(forms[:_LONGEST_ORDER]) if form in _HEADS_OF_ORDER), 0)
+        behind = list(forms[head + 1 :])
+        kinds = [self.kinds_of_order[form] for form in forms[1:head] if form in self.kinds_of_order]
+        if not head or not frozenset(forms[1:head]) <= _BEFORE_ORDER | self.kinds_of_order.keys():
+            return None, 0
+        if behind[:1] == ["given"]:
+            return self.kinds_of_order["given"], head + 2
+        more = _relative_length(behind)
+        if more and not kinds:
+            kinds = [self.kinds_of_order["any" if behind[more - 1] == "like" else "given"]]
+        return (kinds[-1], head + 1 + more) if kinds else (None, 0)
 
     def count_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the words before a number of times that words in lower case begin with, and their number."""
-        return self.counts.at(forms)
+        kind, length = self._limit_at(forms)
+        return (Link(kind), length) if kind is not None else (None, 0)
 
     def has_manner(self, forms: FrozenSet[str]) -> bool:
         """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
-        near = (phrase for of in (self.orders, self.counts) for form in forms for phrase, _ in of.begins_with(form))
-        return any(forms.issuperset(words) for words in near)
+        near = (phrase for form in forms for phrase, _ in self.orders.begins_with(form))
+        words = _HEADS_OF_ORDER | self.limits.keys() | {"than", "up"}
+        return bool(forms & words) or any(forms.issuperset(words) for words in near)
+
+    def _limit_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:
+        """Return whether words in lower case begin with a least or a largest number, and the number of words of the
+        limit: "at the most", "no fewer than", "a maximum of".
+        """
+        place = int(list(forms[:1]) == ["but"])
+        said = list(forms[place : place + 3])
+        if said[:2] == ["up", "to"]:
+            return LinkKind.AT_MOST, place + 2
+        if said[:2] == ["at", "the"]:
+            said, place = ["at", *forms[place + 2 : place + 3]], place + 1
+        limit = self.limits.get(said[1]) if len(said) > 1 else None
+        if limit is not None and said[0] == "at":
+            return limit.kind, place + 2
+        if limit is not None and said[0] == "a" and said[2:] == ["of"]:
+            return limit.kind, place + 3
+        more, less = _COMPARATIVES
+        if len(said) == 3 and said[0] in _NOT | {"no"} and said[2] == "than" and said[1] in more | less:
+            return LinkKind.AT_MOST if said[1] in more else LinkKind.AT_LEAST, place + 3
+        return None, 0
 
     def bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound that words in lower case begin with; 0 for none."""
-        return self.bounds.at(forms)[1]
+        place = int(list(forms[:1]) == ["but"])
+        place += list(forms[place : place + 1]) == ["for"]
+        kind, length = self._limit_at(forms[place:])
+        return place + length if kind is LinkKind.AT_MOST else 0
 
     def behind_bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound behind its time that words in lower case begin with; 0 for none."""
-        return self.bounds_behind.at(forms)[1]
+        kind, length = self._limit_at(forms) if list(forms[:1]) == ["at"] else (None, 0)
+        return length if kind is LinkKind.AT_MOST else 0
+
+
+#: What a clause without a deed of its own means before a deed.
+_JOINERS = {
+    Case.HOLDS_NOT: LinkKind.OTHERWISE,
+    Case.FAILED: LinkKind.OR_ELSE,
+    Case.DONE: LinkKind.THEN,
+    Case.GOES_ON: LinkKind.MEANWHILE,
+}
+
+
+def _relative_length(forms: List[str]) -> int:
+    """Return the number of words of a relative clause behind "order": "that you like", "in which I named them"."""
+    place = 1 if forms[:1] == ["that"] else 2 if forms[:2] == ["in", "which"] else 0
+    if forms[place : place + 2] == ["you", "like"]:
+        return place + 2
+    is_named = forms[place : place + 1] == ["i"] and forms[place + 1 : place + 2] in (["named"], ["said"])
+    return place + 3 if is_named and forms[place + 2 : place + 3] == ["them"] else 0
 
 
 def load_links(text: str, path: str) -> Links:
@@ -148,30 +290,30 @@ def load_links(text: str, path: str) -> Links:
         FileRefused: the file is wrong; it lists every mistake
     """
     reader = Reader(path)
-    sections = reader.mapping(reader.compose(text, "a mapping of links"), "", _SECTIONS, required=_SECTIONS)
-    links, joiners, answers, deeds, orders, counts = (
-        _entries(reader, sections.get(name), name)
-        for name in ("links", "joiners", "answers", "deeds", "orders", "counts")
-    )
-    checks, bounds, behind = (
-        PhraseTable({tuple(words.split()): True for words in reader.texts(sections.get(name), name)})
-        for name in ("checks", "bounds", "bounds_behind")
-    )
+    sections = (*_TABLES, *_LISTS)
+    nodes = reader.mapping(reader.compose(text, "a mapping of links"), "", sections, required=sections)
+    words = {name: _words(reader, nodes.get(name), name) for name in _TABLES}
+    lists = {name: frozenset(reader.texts(nodes.get(name), name)) for name in _LISTS}
     reader.refuse_if_wrong()
-    return Links(links, joiners, checks, answers, deeds, orders, counts, bounds, behind)
+    for phrase, link in words["links_before_that"].items():
+        words["links"].update({phrase: link, (*phrase, "that"): link})
+    words["joiners"].update(words["afterwards"])
+    names = ("links", "joiners", "afterwards", "answers", "deeds", "orders")
+    return Links(
+        **{name: PhraseTable(words[name]) for name in names},
+        **lists,
+        **{name: {phrase[0]: link for phrase, link in words[name].items()} for name in _MAPPINGS},
+    )
 
 
-def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> PhraseTable[Link]:
-    found: Dict[Tuple[str, ...], Link] = {}
-    kinds: List[str] = [kind.name for kind in LinkKind]
-    for key, item in reader.sequence(node, section):
-        entries = reader.mapping(item, key, ("name", "kind", "question", "words"), required=("name", "kind", "words"))
-        kind = reader.choice(entries.get("kind"), f"{key}.kind", kinds, LinkKind.THEN.name)
-        name = reader.name(entries.get("name"), f"{key}.name")
-        link = Link(name, LinkKind[kind], reader.text(entries.get("question"), f"{key}.question"))
-        for words in reader.texts(entries.get("words"), f"{key}.words"):
-            found[tuple(words.split())] = link
-    return PhraseTable(found)
+def _words(reader: Reader, node: Optional[yaml.Node], section: str) -> Dict[Tuple[str, ...], Link]:
+    kinds = [kind.name for kind in LinkKind]
+    entries = reader.mapping(node, section, kinds)
+    return {
+        tuple(words.split()): Link(LinkKind[kind])
+        for kind, item in entries.items()
+        for words in reader.texts(item, f"{section}.{kind}")
+    }
 
 
 @lru_cache(maxsize=None)

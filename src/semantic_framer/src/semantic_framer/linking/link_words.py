@@ -103,7 +103,7 @@ class LinkWords:
     def at(self, place: int, clock: ClockTime) -> Tuple[Optional[Joint], int]:
         """Return the joint of a time of the clock that begins at a place."""
         end = place + clock.length
-        joint = self.joint(Link(LinkKind.CLOCK.value, LinkKind.CLOCK), place, end, clock.length, None)
+        joint = self.joint(Link(LinkKind.CLOCK), place, end, clock.length, None)
         return replace(joint, when=clock.when), end
 
     def timed(self, place: int) -> Tuple[Optional[Joint], int]:
@@ -118,7 +118,7 @@ class LinkWords:
                 continue
             if self.forms[end : end + len(_FROM_NOW)] == _FROM_NOW:
                 end += len(_FROM_NOW)
-            link = Link(kind.value, kind)
+            link = Link(kind)
             return replace(self.joint(link, place, end, end - place, None), seconds=seconds), end
         return None, 0
 
@@ -137,7 +137,7 @@ class LinkWords:
 
     def bound(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a longest time that begins at a place: "for at most an hour", "for an hour at most"."""
-        link = Link("at most", LinkKind.THEN)
+        link = Link(LinkKind.THEN)
         length = shipped_links().bound_at(self.forms[place:])
         for end in range(min(len(self.forms), place + length + 5), place + length, -1) if length else ():
             seconds = self._seconds(place + length, end)

@@ -42,7 +42,7 @@ class LinkedConditions:
                 continue
             said = [word.index for word in self._said.words[place + length : behind] if word.upos != "PUNCT"]
             condition = read_asked(self._said.sentence, self._said.known, said)
-            joint = self._said.joint(Link(kind.value, kind), place, end, length, condition)
+            joint = self._said.joint(Link(kind), place, end, length, condition)
             return (joint, end) if condition is not None else (None, 0)
         return None, 0
 
@@ -58,7 +58,7 @@ class LinkedConditions:
                 continue
             condition = read_condition(self._said.sentence, self._said.known, [person, *words], somebody=person)
             if condition is not None:
-                link = Link(LinkKind.WHENEVER.value, LinkKind.WHENEVER)
+                link = Link(LinkKind.WHENEVER)
                 return replace(self._said.joint(link, place, end, end - place, condition), is_of_persons=True), end
         return None, 0
 
@@ -67,7 +67,7 @@ class LinkedConditions:
         link, length = shipped_links().deed_link_at(self._said.forms[place:])
         if link is None or link.kind is not LinkKind.BEFORE:
             return None, 0
-        return self._condition(Link(link.name, LinkKind.BEFOREHAND), place, length)
+        return self._condition(Link(LinkKind.BEFOREHAND), place, length)
 
     def _condition(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
         start = place + length

@@ -303,10 +303,10 @@ def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
 
 def _answer_words(sentence: Sentence) -> Tuple[int, ...]:
     """Return the positions of words that say in which case something is done: "*in that case* close it"."""
-    words, answers = sentence.tree.open_words, shipped_links().answers
+    words, links = sentence.tree.open_words, shipped_links()
     forms = [word.said for word in words]
-    for place, form in enumerate(forms):
-        length = answers.at(forms[place:])[1] if answers.begins_with(form) else 0
+    for place in range(len(forms)):
+        length = links.case_at(forms[place:])
         if length:
             return tuple(word.index for word in words[place : place + length])
     return ()

@@ -31,7 +31,9 @@ KINDS = (
     "phrases_of_hesitation",
     "contractions",
 )
-_KEYS = ("pattern", "example", "becomes")
+_KEYS = ("pattern", "example")
+#: What an example is without its formula, if the file does not say.
+_LEFT = "turn left"
 #: The kind whose formulas also have a full form.
 WRITTEN_OUT = "contractions"
 
@@ -43,7 +45,7 @@ class Formula:
     Attributes:
         pattern: must match all of some words, in lower case, with one blank between them
         example: a sentence that contains the formula
-        becomes: the example without the formula; empty in a file of whole utterances
+        becomes: the example without the formula; the file need not name the usual one
         written: the full form, with the groups of the pattern as ``\\1``; empty if the formula is left out
         says: what the words say that the full form leaves out, if that changes nothing in what is done
     """
@@ -76,13 +78,13 @@ def load_formulas(
     for kind, node in nodes.items():
         formulas: List[Formula] = []
         for key, item in reader.sequence(node, kind):
-            wanted = (*keys, "written") if kind == WRITTEN_OUT else keys
-            possible = (*wanted, "says") if kind == WRITTEN_OUT else wanted
+            wanted = (*keys, "becomes", "written") if kind == WRITTEN_OUT else keys
+            possible = (*wanted, "says") if kind == WRITTEN_OUT else (*wanted, "becomes")
             entries = reader.mapping(item, key, possible, required=wanted)
             says = reader.name(entries.get("says"), f"{key}.says") if "says" in entries else ""
             written = reader.name(entries.get("written"), f"{key}.written") if "written" in entries else ""
             example = reader.name(entries.get("example"), f"{key}.example")
-            becomes = reader.name(entries.get("becomes"), f"{key}.becomes") if "becomes" in keys else ""
+            becomes = reader.name(entries.get("becomes"), f"{key}.becomes") if "becomes" in entries else _LEFT
             if "pattern" in entries:
                 pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
                 formulas.append(Formula(pattern, example, becomes, written, says))
