@@ -14,7 +14,7 @@ from utterance_passes.trees.tree_edits import NotATree, TreeEdit, behind_verb, s
 SOURCES = next(one for one in Path(__file__).resolve().parents if one.name == "src")
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 #: They read trees that come from elsewhere: the parser, a message, a file.
-# conditions.py gives arguments other words; an argument has a head as a word has.
+# conditions.py and held_states.py give arguments other words; an argument has a head as a word has.
 READERS = {
     # The form of a clause, and no word.
     "clause_features.py",
@@ -23,6 +23,7 @@ READERS = {
     "inference.py",
     "ros_messages.py",
     "conditions.py",
+    "held_states.py",
 }
 FIELDS = {"form", "upos", "xpos", "feats", "head", "deprel", "words", "times", "sharing_a_verb", "clusters", "brackets"}
 

@@ -6,7 +6,7 @@ from typing import FrozenSet, Optional, Tuple
 from semantic_framer.clauses.readings import meant_readings
 from semantic_framer.filling.extra_phrases import extra_arguments
 from semantic_framer.judging.verdicts import Case, ClauseCase
-from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, features_of
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form, features_of
 from semantic_framer.units.frame_roles import PLACES
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.reading import Reading
@@ -82,7 +82,8 @@ def with_going(sentence: Sentence, features: ClauseFeatures) -> Tuple[Sentence, 
         if child is not been and child.deprel.split(":")[0] not in _OF_NOUNS:
             edit.rehang(child.index, been.index)
     went = sentence.attached(edit.tree())
-    return went, replace(features_of(went.tree, been.index), form=features.form)
+    going = features_of(went.tree, been.index)
+    return went, going if features.form is Form.PLAIN else going.as_question()
 
 
 class DeedClause:
