@@ -25,8 +25,8 @@ def by_name(filled: FilledCall) -> Mapping[str, TypedArgument]:
 @pytest.mark.parametrize(
     ("name", "arguments", "code", "says"),
     [
-        ("turning", [], "MALFORMED", "no object"),
-        ("turning", "left", "MALFORMED", "no object"),
+        ("turning", [], "MALFORMED", "not an object"),
+        ("turning", "left", "MALFORMED", "not an object"),
         ("turning", {}, "MISSING_ELEMENT", "direction must be given"),
         ("bringing", {"goal": "kitchen"}, "MISSING_ELEMENT", "theme must be given"),
         ("turning", {"direction": "up"}, "VALUE_NOT_ALLOWED", "only left or right"),
@@ -38,8 +38,8 @@ def by_name(filled: FilledCall) -> Mapping[str, TypedArgument]:
         ("turning", {"direction": "left", "angle": True}, "WRONG_TYPE", "must be a number"),
         ("turning", {"direction": "left", "angle": 7.0}, "LIMIT", "the limit is 6.28"),
         ("turning", {"direction": "left", "angle": -7.0}, "LIMIT", "less than I may do"),
-        ("turning", {"direction": "left", "angle": math.nan}, "LIMIT", "no finite number"),
-        ("turning", {"direction": "left", "angle": 10**400}, "LIMIT", "no finite number"),
+        ("turning", {"direction": "left", "angle": math.nan}, "LIMIT", "not a finite number"),
+        ("turning", {"direction": "left", "angle": 10**400}, "LIMIT", "not a finite number"),
         ("turning", {"direction": "left", "velocity": 3}, "UNKNOWN_ELEMENT", "no argument 'velocity'"),
         ("turning", {"direction": "left", "angle_unit": "turns"}, "UNKNOWN_ELEMENT", "no argument 'angle_unit'"),
         ("turning", {"direction": "left", "begin": "yesterday"}, "VALUE_NOT_ALLOWED", "only now, after or beside"),
