@@ -43,7 +43,7 @@ def test_it_lists_what_all_packages_that_reply_say() -> None:
         "A newer command took its place.",
         'I know "{verb}", but not used like this.',
         "What should I point at?",
-        "I understand English.",
+        "I have no open question.",
         "no data on %s yet; answers omit it",
         "No connection to the robot. Trying again ... Until then this page cannot stop it.",
         "Tell the robot what to do",

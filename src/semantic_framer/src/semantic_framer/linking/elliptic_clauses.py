@@ -26,11 +26,11 @@ _WHEN = frozenset(["when", "once"])
 class Case(Enum):
     """What a clause says of the deed or the condition before it."""
 
-    HOLDS = "if so"
-    HOLDS_NOT = "if not"
-    FAILED = "if that fails"
-    DONE = "when you are done"
-    GOES_ON = "while you do that"
+    HOLDS = "holds"  # "if so"
+    HOLDS_NOT = "holds_not"  # "if it is not"
+    FAILED = "failed"  # "if that fails"
+    DONE = "done"  # "when you are done"
+    GOES_ON = "goes_on"  # "while you do that"
 
 
 class EllipticClause(NamedTuple):

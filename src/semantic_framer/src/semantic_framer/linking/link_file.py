@@ -298,17 +298,26 @@ def load_links(text: str, path: str) -> Links:
     for phrase, link in words["links_before_that"].items():
         words["links"].update({phrase: link, (*phrase, "that"): link})
     words["joiners"].update(words["afterwards"])
-    names = ("links", "joiners", "afterwards", "answers", "deeds", "orders")
+    table = {name: PhraseTable(phrases) for name, phrases in words.items()}
+    first = {name: {phrase[0]: link for phrase, link in words[name].items()} for name in _MAPPINGS}
     return Links(
-        **{name: PhraseTable(words[name]) for name in names},
-        **lists,
-        **{name: {phrase[0]: link for phrase, link in words[name].items()} for name in _MAPPINGS},
+        links=table["links"],
+        joiners=table["joiners"],
+        afterwards=table["afterwards"],
+        checks=lists["checks"],
+        answers=table["answers"],
+        deeds=table["deeds"],
+        adverbs=lists["adverbs"],
+        adverbs_of_nearness=lists["adverbs_of_nearness"],
+        orders=table["orders"],
+        kinds_of_order=first["kinds_of_order"],
+        limits=first["limits"],
     )
 
 
 def _words(reader: Reader, node: Optional[yaml.Node], section: str) -> Dict[Tuple[str, ...], Link]:
     kinds = [kind.name for kind in LinkKind]
-    entries = reader.mapping(node, section, kinds)
+    entries = reader.mapping(node, section, kinds) if node is not None else {}
     return {
         tuple(words.split()): Link(LinkKind[kind])
         for kind, item in entries.items()
