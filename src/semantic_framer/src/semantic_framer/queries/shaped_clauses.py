@@ -181,8 +181,7 @@ class _Match:
         # "Will" says when; "can't" is two words.
         modal = "" if features.modal in _FUTURE else "can" if features.modal == "ca" else features.modal
         modal_fits = (modal or NOBODY) in (shape.modals or (NOBODY,))
-        is_denied_fitly = features.is_negated == shape.is_negated or self._clause.asks == "why"
-        if self._clause.asks not in shape.asks or not modal_fits or not is_denied_fitly:
+        if self._clause.asks not in shape.asks or not modal_fits or features.is_negated != shape.is_negated:
             return None
         if shape.aspects and features.aspect.value not in shape.aspects:
             return None
