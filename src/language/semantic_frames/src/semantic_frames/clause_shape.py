@@ -65,7 +65,7 @@ def read_shapes(reader: Reader, node: yaml.Node, key: str) -> Tuple[ClauseShape,
 def _shapes(reader: Reader, node: yaml.Node, key: str) -> Sequence[ClauseShape]:
     entries = reader.mapping(node, key, SHAPE_KEYS)
     verbs, nouns, subjects, objects, asks, aspects, modals, said, beside = (
-        _phrases(reader, entries.get(name), f"{key}.{name}")
+        lowered_phrases(reader, entries.get(name), f"{key}.{name}")
         for name in ("verb", "noun", "subject", "object", "asks", "aspect", "modal", "said", "with")
     )
     if not verbs and not nouns:
@@ -105,7 +105,8 @@ def _shapes(reader: Reader, node: yaml.Node, key: str) -> Sequence[ClauseShape]:
     )
 
 
-def _phrases(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
+def lowered_phrases(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
+    """Read phrases as they are compared: in lower case, with one blank between words."""
     return tuple(" ".join(text.lower().split()) for text in reader.texts(node, key))
 
 

@@ -7,7 +7,7 @@ import yaml
 
 from checked_files.marked_yaml import Reader, did_you_mean, line_of
 from checked_files.problem import Problem
-from semantic_frames.clause_shape import read_shapes
+from semantic_frames.clause_shape import lowered_phrases, read_shapes
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import (
     SLOT_KINDS,
@@ -99,8 +99,8 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     has_event = "event" in _keys(node)
     is_bare = has_patterns or has_event
     entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if is_bare else ("frame_name", "verb"))
-    events = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("event"), f"{prefix}event"))
-    verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
+    events = lowered_phrases(reader, entries.get("event"), f"{prefix}event")
+    verbs = lowered_phrases(reader, entries.get("verb"), f"{prefix}verb")
     listed, changed = entries.get("frame_element_grammatical_relations"), entries.get("elements")
     if changed is not None and (listed is not None or has_patterns):
         beside = "frame_element_grammatical_relations" if listed is not None else "patterns of words"
@@ -136,7 +136,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
         asks=reader.texts(entries.get("asks"), f"{prefix}asks"),
         holds=_holds(reader, entries.get("holds"), f"{prefix}holds"),
         events=events,
-        subjects=_lowered(reader, entries.get("subject"), f"{prefix}subject"),
+        subjects=lowered_phrases(reader, entries.get("subject"), f"{prefix}subject"),
         values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
         line=line_of(node),
@@ -145,10 +145,6 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
 
 def _keys(node: yaml.Node) -> FrozenSet[str]:
     return frozenset(str(key.value) for key, _ in node.value) if isinstance(node, yaml.MappingNode) else frozenset()
-
-
-def _lowered(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
-    return tuple(" ".join(text.lower().split()) for text in reader.texts(node, key))
 
 
 def _holds(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[HeldState, ...]:
@@ -163,11 +159,11 @@ def _holds(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[HeldSta
             continue
         inner = f"{key}.{name}"
         if isinstance(value, yaml.SequenceNode):
-            words.append((name, _lowered(reader, value, inner)))
+            words.append((name, lowered_phrases(reader, value, inner)))
         elif isinstance(value, yaml.MappingNode):
             both = reader.mapping(value, inner, ("element", "words"), required=("element", "words"))
             elements.append((name, reader.graph_name(both.get("element"), f"{inner}.element")))
-            words.append((name, _lowered(reader, both.get("words"), f"{inner}.words")))
+            words.append((name, lowered_phrases(reader, both.get("words"), f"{inner}.words")))
         else:
             elements.append((name, reader.graph_name(value, inner)))
     return (HeldState(reader.graph_name(entries.get("frame"), f"{key}.frame"), tuple(elements), tuple(words)),)
