@@ -61,7 +61,7 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     """
     found = [
         read
-        for read in _remarks(sentence, known)
+        for read in _told(sentence, known) + _remarks(sentence, known)
         if known.frames[read.unit.frame_name].is_question
         if not known.heeded or read.unit.frame_name in known.heeded
     ]
@@ -78,8 +78,8 @@ def idiom_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, .
 
 def _remarks(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
     # "Well" and "now" may also be words around a sentence.
-    whole, inner = [word for word in sentence.tree.words if word.upos != "PUNCT"], words_of_question(sentence)
-    return _told(sentence, known, whole) + [
+    whole, inner = _whole(sentence), words_of_question(sentence)
+    return [
         read
         for words in ([whole, inner] if len(inner) < len(whole) else [whole])
         for unit in known.lexicon.remark_units([spelling(word) for word in words])
@@ -90,9 +90,13 @@ def _remarks(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
     ]
 
 
-def _told(sentence: Sentence, known: FramedLexicon, words: Sequence[Word]) -> List[Reading]:
+def _whole(sentence: Sentence) -> List[Word]:
+    return [word for word in sentence.tree.words if word.upos != "PUNCT"]
+
+
+def _told(sentence: Sentence, known: FramedLexicon) -> List[Reading]:
     """Return the reading of a sentence that tells the robot something about itself: "never use the left arm"."""
-    tops = sentence.children(0)
+    tops, words = sentence.children(0), _whole(sentence)
     if len(tops) != 1 or ends_inside(sentence, words):
         return []
     features = features_of(sentence.tree, tops[0].index)
