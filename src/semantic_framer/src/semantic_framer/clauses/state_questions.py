@@ -8,7 +8,7 @@ from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import ClauseFeatures, Form
 from semantic_framer.kinds.question_extent import words_of_question
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.units.word_patterns import argument_of
+from semantic_framer.units.word_patterns import whole_reading
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.lexical_unit import LexicalUnit
@@ -73,19 +73,4 @@ def _reading(sentence: Sentence, known: FramedLexicon, unit: LexicalUnit, clause
         # "Who is in the hall or in the kitchen" names one place or the other.
         first, last = elements[_LOCATION], elements.pop(_ALTERNATIVE)
         elements[_LOCATION] = tuple(range(min(first), max(last) + 1))
-    inside = frozenset(index for words in elements.values() for index in words)
-    own = tuple(word.index for word in sentence.tree.words if word.index not in inside and word.upos != "PUNCT")
-    return Reading(
-        unit=unit,
-        verb=f"{clause.frame}.{clause.asked}",
-        verb_positions=own,
-        arguments=tuple(
-            argument_of(sentence, element.name, elements[element.name])
-            for element in frame.frame_elements
-            if element.name in elements
-        ),
-        missing=(),
-        left_over=(),
-        coverage=1.0,
-        clause_text=sentence.tree.text.strip(),
-    )
+    return whole_reading(sentence, frame, unit, f"{clause.frame}.{clause.asked}", elements)

@@ -7,13 +7,10 @@ from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form
 from semantic_framer.kinds.question_extent import words_of_question
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.units.word_patterns import argument_of
+from semantic_framer.units.word_patterns import whole_reading
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from semantic_frames.clause_shape import ANYBODY, ASKED_FOR, IT, NOBODY, ROBOT, SPEAKER, ClauseShape
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import LexicalUnit
-from typed_arguments import Source, TypedArgument
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
@@ -100,7 +97,7 @@ def shaped_reading(
         found = _Match(sentence, clause, shape, words).elements()
         filled = {*(found or ()), *unit.values}
         if found is not None and all(one.name in filled for one in frame.frame_elements if one.is_core):
-            return _reading(sentence, frame, unit, verb, found)
+            return whole_reading(sentence, frame, unit, verb, found)
     return None
 
 
@@ -316,22 +313,3 @@ class _Match:
                 if forms[start : start + len(parts)] == parts:
                     found += order[start : start + len(parts)]
         return frozenset(found)
-
-
-def _reading(
-    sentence: Sentence, frame: SemanticFrame, unit: LexicalUnit, verb: str, found: Dict[str, Tuple[int, ...]]
-) -> Reading:
-    filled = {name: argument_of(sentence, name, positions) for name, positions in found.items()}
-    filled.update((name, TypedArgument(name, text, Source.INFERRED)) for name, text in unit.values.items())
-    inside = frozenset().union(*found.values())
-    own = tuple(word.index for word in sentence.tree.words if word.index not in inside and word.upos != "PUNCT")
-    return Reading(
-        unit=unit,
-        verb=verb,
-        verb_positions=own,
-        arguments=tuple(filled[element.name] for element in frame.frame_elements if element.name in filled),
-        missing=(),
-        left_over=(),
-        coverage=1.0,
-        clause_text=sentence.tree.text.strip(),
-    )
