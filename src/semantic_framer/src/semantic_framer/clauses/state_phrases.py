@@ -27,7 +27,8 @@ _LEFT = word_class("padding_of_states")
 _POINTING = word_class("demonstrative_determiners")
 _NO_THEMES_ASKED = word_class("demonstrative_pronouns") | US
 THAN = "than"
-_FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
+#: Relations of words that only make a clause.
+FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
 Positions = Tuple[int, ...]
 
 
@@ -71,7 +72,7 @@ class StatePhrases:
         # "Is it open at 18:30" asks about another time than now.
         if any(self._sentence.word(index).upos == "NUM" for index in times):
             return False
-        function = _FUNCTION if self._is_asked else _FUNCTION - {"mark"}
+        function = FUNCTION if self._is_asked else FUNCTION - {"mark"}
         for index in (self._sentence.subtree(self._top.index) & self._words) - said.union(times):
             word = self._sentence.word(index)
             is_small = word.deprel.split(":")[0] in function | {"det", "case"} or word.said in _LEFT
@@ -170,7 +171,7 @@ class StatePhrases:
         clause = [
             child
             for child in self._children
-            if child.deprel.split(":")[0] in _FUNCTION | {"nsubj", "advmod", "obl", "parataxis", "advcl"}
+            if child.deprel.split(":")[0] in FUNCTION | {"nsubj", "advmod", "obl", "parataxis", "advcl"}
         ]
         return frozenset().union(*(self._sentence.subtree(child.index) for child in clause))
 

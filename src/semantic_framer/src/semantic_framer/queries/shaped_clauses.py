@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
+from semantic_framer.clauses.state_phrases import FUNCTION, WHICH, WHO
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, Form
 from semantic_framer.kinds.question_extent import words_of_question
@@ -17,13 +18,12 @@ from word_classes import word_class
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
 _OBJECTS_OF_TALK = word_class("speaker_objects") | _HEARERS
 _SPOKEN_OF = word_class("demonstrative_pronouns") | {"it"}
-_WHO, _WHICH = word_class("persons_asked"), frozenset(["what", "which"])
 _DETERMINERS = word_class("determiners_and_possessives") | {"any", "all", "no"}
 _PADDING = word_class("question_padding") | word_class("condition_padding") | word_class("habitual_adverbs")
 _PADDING |= word_class("padding")
 _GENERAL = word_class("general_thing_nouns")
 _KINDS = frozenset(["kind", "sort"])
-_FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "discourse", "vocative", "cc", "case"])
+_NO_PHRASES = FUNCTION | {"case"}
 _OF_NOUNS = frozenset(["det", "amod", "nmod", "compound"])
 _TO_DO = frozenset(["xcomp", "ccomp"])
 _FUTURE = word_class("future_auxiliaries")
@@ -118,7 +118,7 @@ def _clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int])
         left.add(inner.index)
         below = [child for child in sentence.children(inner.index) if child.index in words]
         children += below
-        if any(child.said == "to" and child.deprel == "mark" for child in below):
+        if sentence.tree.is_infinitive(inner.index):
             spelled = [f"{spelling} to" for spelling in spelled]
             how = [child for child in below if child.said == _HOW and child.index != features.asked]
             left.update(child.index for child in how)
@@ -130,7 +130,7 @@ def _clause(sentence: Sentence, features: ClauseFeatures, words: FrozenSet[int])
     others = [
         child
         for child in children
-        if child.index not in left | features.auxiliaries and child.deprel.split(":")[0] not in _FUNCTION
+        if child.index not in left | features.auxiliaries and child.deprel.split(":")[0] not in _NO_PHRASES
     ]
     return _Clause(tuple(dict.fromkeys(spelled)), subject, asks, asked, tuple(others), features)
 
@@ -159,7 +159,7 @@ def _asked(sentence: Sentence, features: ClauseFeatures) -> Tuple[str, int]:
         head = sentence.tree.governor(head)
     if form == _HOW and any(sentence.word(index).lemma.lower() == _MANY for index in sentence.subtree(head.index)):
         return "how many", head.index
-    return ("what" if form in _WHICH else "who" if form in _WHO else form), head.index
+    return ("what" if form in WHICH else "who" if form in WHO else form), head.index
 
 
 class _Match:
@@ -255,7 +255,7 @@ class _Match:
     def _names(self, word: Word, phrase: Sequence[int], wanted: Sequence[str]) -> bool:
         """Whether a phrase says one of some things, with nothing beside it but determiners: "any of *your rules*"."""
         head = word
-        while head.lemma.lower() in _KINDS | {"all"} or head.said in _WHICH:
+        while head.lemma.lower() in _KINDS | {"all"} or head.said in WHICH:
             inner = [child for child in self._sentence.children(head.index) if child.deprel == "nmod"]
             if not inner:
                 break
