@@ -16,7 +16,6 @@ MOST_REFERENTS = 32
 MOST_COMPARED = 64
 _INDEFINITE = word_class("quantifiers_of_some") | {"a", "another"}
 _WHOLE = word_class("determiners_of_all")
-_PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 
 

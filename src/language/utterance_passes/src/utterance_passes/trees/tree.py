@@ -176,20 +176,9 @@ class DependencyTree:
         """Return the first subject of the word at an index, of an active or a passive clause; None if it has none."""
         return next((child for child in self.children(index) if child.deprel.startswith("nsubj")), None)
 
-    def first_spoken(self, index: int) -> int:
-        """Return the position of the first word at or below the word at an index that is no mark."""
-        return min(inner for inner in self.subtree(index) if inner == index or self.word(inner).upos != "PUNCT")
-
     def is_next(self, index: int, before: int) -> bool:
         """Whether the phrase of the word at an index begins right behind the phrase of another word."""
         return self.phrase_start(index) == self.phrase_end(before) + 1
-
-    def has_copula_and_subject(self, index: int) -> bool:
-        """Whether a word has a copula and a subject, which the copula may govern: "what *time* it is"."""
-        children = self.children(index)
-        copulas = [child for child in children if child.deprel == "cop"]
-        below = (*children, *(inner for copula in copulas for inner in self.children(copula.index)))
-        return bool(copulas) and any(child.deprel.startswith("nsubj") for child in below)
 
     def is_infinitive(self, index: int) -> bool:
         """Whether "to" marks the verb at an index: "tell Bob *to come*"."""
