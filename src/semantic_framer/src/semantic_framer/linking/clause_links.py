@@ -7,7 +7,7 @@ from semantic_framer.clauses.conditions import is_auxiliary
 from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
-from semantic_framer.linking.link_words import LinkWords, spoken_words
+from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
 from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
@@ -18,8 +18,6 @@ from word_classes import word_class
 _BORDERS = word_class("clause_borders")
 _TIMES = word_class("iteration_adverbs")
 _MANY = word_class("persons_among_many")
-#: Relations of a verb that belongs to what is before it.
-_INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 
 
 def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:
@@ -157,7 +155,7 @@ class _Finder:
             is_deed = bool(self._said.known.verbs_beginning_with(word.lemma.lower())) and not any(
                 child.deprel.startswith("nsubj") or child.deprel == "cop" for child in children
             )
-            if not is_deed or word.deprel in _INNER - {"xcomp"}:
+            if not is_deed or word.deprel in INNER - {"xcomp"}:
                 return True
         return False
 
@@ -173,7 +171,7 @@ class _Finder:
             joint = self._said.joint(Link(times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self._said.forms[place:])
-        if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place, place + length)):
+        if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place + length)):
             return self._said.joint(link, place, place + length, length, None), place + length
         return None, 0
 

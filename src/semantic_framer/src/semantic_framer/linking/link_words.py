@@ -21,7 +21,7 @@ _BORDERS = word_class("clause_borders")
 _BEFORE_MESSAGES = word_class("whether_words") | frozenset(["that"])
 _LIMITS = word_class("limits_before_times")
 #: Relations of a verb that belongs to what is before it.
-_INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
+INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
 _FROM_NOW = ["from", "now"]
 
@@ -56,11 +56,10 @@ class LinkWords:
         said = self.sentence.text([word.index for word in self.words[place : place + length]])
         return Joint(link.kind, self.words[place].index, frozenset(word.index for word in words), condition, words=said)
 
-    def may_end(self, start: int, end: int, *, is_clock: bool = True) -> bool:
+    def may_end(self, end: int, *, is_clock: bool = True) -> bool:
         """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb.
 
         Args:
-            start: where it begins
             end: the place
             is_clock: whether a time of the clock may follow
         """
@@ -85,7 +84,7 @@ class LinkWords:
         is_deed = word.xpos == "VB" and word.deprel == "xcomp" and self.forms[end - 1] != "to"
         return (
             is_verb
-            and (is_deed or word.deprel not in _INNER)
+            and (is_deed or word.deprel not in INNER)
             and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
         )
 
@@ -98,7 +97,7 @@ class LinkWords:
             return None
         words = {word.index for word in self.words[place : place + found.length]}
         is_time = found.is_certain and any(words <= time for time in self.sentence.tree.times)
-        return found if is_time or self.may_end(place, place + found.length, is_clock=False) else None
+        return found if is_time or self.may_end(place + found.length, is_clock=False) else None
 
     def at(self, place: int, clock: ClockTime) -> Tuple[Optional[Joint], int]:
         """Return the joint of a time of the clock that begins at a place."""

@@ -54,7 +54,7 @@ class LinkedConditions:
         start = place + (self._said.forms[place] in _WHO)
         for end in range(len(self._said.words), start, -1):
             words = [word.index for word in self._said.words[start:end] if word.upos != "PUNCT"]
-            if not words or not self._said.may_end(start, end):
+            if not words or not self._said.may_end(end):
                 continue
             condition = read_condition(self._said.sentence, self._said.known, [person, *words], somebody=person)
             if condition is not None:
@@ -73,7 +73,7 @@ class LinkedConditions:
         start = place + length
         is_order = link.kind is LinkKind.UNTIL and bool(self._denial())
         for end in range(len(self._said.words), start, -1):
-            if not self._said.may_end(start, end):
+            if not self._said.may_end(end):
                 continue
             words = self._said.words[start:end]
             while words and words[-1].upos == "PUNCT":

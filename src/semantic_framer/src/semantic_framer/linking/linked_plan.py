@@ -163,7 +163,7 @@ class _Builder:
         if not unit.is_link:
             return self._deed(is_conditional=False)
         if unit.kind is LinkKind.BEFORE:
-            return self._before(self._take())
+            return self._before()
         links = [self._take()]
         while self._now is not None and self._now.is_link and not self._now.before & JOINING:
             links.append(self._take())
@@ -178,8 +178,9 @@ class _Builder:
             node = self._joined(link, [node])
         return node
 
-    def _before(self, link: _Unit) -> Node:
-        """Read a deed that follows those behind it: "before *you go to the kitchen*, close the door"."""
+    def _before(self) -> Node:
+        """Read a deed that follows those behind it: "*before you go to the kitchen*, close the door"."""
+        self._take()
         last, body = [self._next_deed()], []  # type: List[Node], List[Node]
         while self._now is not None and self._now.joint is None and "," not in self._now.before:
             last.append(self._next_deed())
