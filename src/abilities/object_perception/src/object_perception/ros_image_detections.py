@@ -38,7 +38,7 @@ class Settings(Parameters):
     furthest_m: float = parameter(4.0, least=0.1, most=100.0)
 
 
-class Detections2D:
+class ImageDetections:
     """Turns detections in images with depths into objects.
 
     Subscribes:
@@ -124,4 +124,4 @@ class Detections2D:
 
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("detections_2d_to_world", lambda: Detections2D(read_parameters(Settings)))
+    run_node("detections_2d_to_world", lambda: ImageDetections(read_parameters(Settings)))

@@ -38,7 +38,7 @@ class Settings(Parameters):
     forward: Forward = parameter(Forward.Z)
 
 
-class Detections3D:
+class SpaceDetections:
     """Turns detections in space into objects.
 
     Subscribes:
@@ -87,4 +87,4 @@ def _box(message: Detection3D) -> BoxInSpace:
 
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("detections_3d_to_world", lambda: Detections3D(read_parameters(Settings)))
+    run_node("detections_3d_to_world", lambda: SpaceDetections(read_parameters(Settings)))
