@@ -17,7 +17,7 @@ out of the tag, towards who reads it; metres and radians.
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Dict, List, Optional, Sequence, Tuple
 
 import yaml
@@ -66,24 +66,13 @@ def sightings_of_tags(
     found = []
     for tag in tags:
         tagged = known.get(tag.number)
-        if tagged is None or not all(map(math.isfinite, (*tag.place.position, *tag.place.turn))):
-            continue
-        if not 0.9 < sum(number * number for number in tag.place.turn) < 1.1:
+        if tagged is None or not tag.place.is_rigid:
             continue
         there = place.then(tag.place).then(tagged.offset)
         x, y, z = there.position
         ahead = turned((1.0, 0.0, 0.0), there.turn)
         pose = Pose(world_frame, x, y, z, about_z(math.atan2(ahead[1], ahead[0])))
-        about = WorldObject(
-            tagged.about.id,
-            tagged.about.sort,
-            name=tagged.about.name,
-            category=tagged.about.category,
-            attributes=tagged.about.attributes,
-            size_m=tagged.about.size_m,
-            pose=pose,
-        )
-        found.append(Sighting(about, score))
+        found.append(Sighting(replace(tagged.about, pose=pose), score))
     return found
 
 
