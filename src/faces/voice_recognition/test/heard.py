@@ -279,10 +279,14 @@ def _score(arguments: argparse.Namespace, spoken_to: Dict[str, Robot], voice: Tu
     return score
 
 
+def _stop_hearing(ears: Union[Ears, WhisperEars]) -> StopHearing:
+    return StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
+
+
 def _count_stops(
     arguments: argparse.Namespace, ears: Union[Ears, WhisperEars], voice: Tuple[str, str], room: Room
 ) -> None:
-    hearing = StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
+    hearing = _stop_hearing(ears)
     try:
         phrases = STOPS.read_text(encoding="utf-8").split("\n")[:-1]
         heard = stops(hearing, phrases, voice, room, arguments)
@@ -317,7 +321,7 @@ def television(seconds: float) -> Iterator[bytes]:
 
 
 def _count_alarms(arguments: argparse.Namespace, ears: Union[Ears, WhisperEars]) -> None:
-    hearing = StopHearing(StopSpotter(model_dictionary()), ears.hear_stop if isinstance(ears, WhisperEars) else None)
+    hearing = _stop_hearing(ears)
     sources = {"silence": quiet, "noise": noises, "talk": lambda s: talk(s, REPOSITORY), "television": television}
     try:
         for name in arguments.alarms.split(","):

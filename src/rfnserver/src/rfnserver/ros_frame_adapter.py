@@ -1,5 +1,6 @@
 """Lets an action server of any type take filled frames."""
 
+import copy
 import threading
 from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
 
@@ -64,9 +65,8 @@ class GoalMaker:
         Raises:
             ValueError: the message cannot hold the constants
         """
-        self._goal_type = goal_type
-        self._constants = dict(constants or {})
-        self._fields = fields_of(goal_type) + fields_in_lists(with_constants(goal_type, self._constants))
+        self._blank = with_constants(goal_type, constants or {})
+        self._fields = fields_of(goal_type) + fields_in_lists(self._blank)
         self._mapping = mapping
         self._ignored = tuple(ignored_elements)
         self._defaults: Dict[str, Mapping[str, str]] = {}
@@ -112,7 +112,7 @@ class GoalMaker:
             values = goal_values(plan, arguments, locate=self._places.locate if self._places else _nowhere)
         except (BindingError, UnknownPlace) as error:
             raise ArgumentError(str(error)) from error
-        return fill(with_constants(self._goal_type, self._constants), values)
+        return fill(copy.deepcopy(self._blank), values)
 
 
 def _nowhere(words: str) -> Any:

@@ -3,6 +3,7 @@
 import copy
 import io
 import math
+import re
 from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
 import genpy
@@ -10,6 +11,9 @@ import roslib.message
 from geometry_msgs.msg import PoseStamped
 
 from rfnserver.goal_types import FILLING_OF_TYPE, PLACE_TYPES, Constant, Filling, GoalField, base_type
+
+#: A field, or the number of an item, in a path: "place_locations[0].place_pose".
+_STEP = re.compile(r"\w+")
 
 
 def is_action_type(candidate: Any) -> bool:
@@ -95,18 +99,14 @@ def fill(message: Any, values: Mapping[str, Any]) -> Any:
         values: by path, from :func:`rfnserver.goal_binding.goal_values`; places as PoseStamped, durations in seconds
     """
     for path, value in values.items():
-        *parents, name = path.split(".")
+        *parents, last = _STEP.findall(path)
         holder = message
-        for parent in parents:
-            field, _, index = parent.partition("[")
-            holder = getattr(holder, field)
-            holder = holder[int(index.rstrip("]"))] if index else holder
-        field, _, index = name.partition("[")
-        type_name = holder._slot_types[holder.__slots__.index(field)]
-        if index:
-            getattr(holder, field)[int(index.rstrip("]"))] = _converted(base_type(type_name), value)
+        for step in parents:
+            holder = holder[int(step)] if step.isdecimal() else getattr(holder, step)
+        if last.isdecimal():
+            holder[int(last)] = _converted(holder[int(last)]._type, value)
         else:
-            setattr(holder, field, _converted(type_name, value))
+            setattr(holder, last, _converted(holder._slot_types[holder.__slots__.index(last)], value))
     return message
 
 

@@ -139,8 +139,9 @@ class Beliefs:
         for name in list(self._beliefs):
             twin = self._twin_of(name)
             if twin is not None:
-                self._beliefs[twin.id] = replace(self._beliefs.pop(name), told=twin, is_in_world=True)
-                self._beliefs[twin.id].about = replace(self._beliefs[twin.id].about, id=twin.id)
+                belief = self._beliefs.pop(name)
+                about = replace(belief.about, id=twin.id)
+                self._beliefs[twin.id] = replace(belief, about=about, told=twin, is_in_world=True)
                 changes.gone.append(name)
         return changes.update()
 
@@ -220,9 +221,7 @@ class Beliefs:
                 found.append((left[index], name))
         for index, one in enumerate(left):
             if index not in taken_sightings:
-                name = self._name_of_new(one.about)
-                taken.add(name)
-                found.append((one, name))
+                found.append((one, self._name_of_new(one.about)))
         return found
 
     def _distance(self, seen: WorldObject, known: WorldObject) -> Optional[float]:

@@ -75,8 +75,10 @@ def sightings_in_image(
     found = []
     for box in boxes:
         label = best(box.hypotheses, labels)
+        if label is None:
+            continue
         depth_m = depth_in_box(depths, box.column, box.row, box.width, box.height)
-        if label is None or depth_m is None:
+        if depth_m is None:
             continue
         x, y, z = place.of_point(camera.point_at(box.column, box.row, depth_m))
         width_m, height_m = box.width * depth_m / camera.focal_x, box.height * depth_m / camera.focal_y
@@ -101,13 +103,9 @@ def sightings_in_space(
     found = []
     for box in boxes:
         label = best(box.hypotheses, labels)
-        numbers = (*box.center.position, *box.center.turn, *box.size_m)
-        length = sum(number * number for number in box.center.turn)
         # A detector that knows of no turn may leave it empty.
-        center = box.center if length > 0.0 else Transform(box.center.position)
-        if label is None or not all(map(math.isfinite, numbers)) or min(box.size_m) < 0.0:
-            continue
-        if length > 0.0 and not 0.9 < length < 1.1:
+        center = box.center if any(box.center.turn) else Transform(box.center.position)
+        if label is None or not center.is_rigid or not all(math.isfinite(edge) and edge >= 0.0 for edge in box.size_m):
             continue
         upright = upright_box(place.then(center), box.size_m)
         x, y, z = upright.bottom

@@ -57,6 +57,11 @@ class Transform:
     position: Vector = ORIGIN
     turn: Quaternion = NO_TURN
 
+    @property
+    def is_rigid(self) -> bool:
+        """Whether its numbers are finite, and its turn has the length 1; messages may have any."""
+        return all(map(math.isfinite, self.position)) and 0.9 < sum(number * number for number in self.turn) < 1.1
+
     def of_point(self, point: Vector) -> Vector:
         """Return a point of the inner frame as the outer one has it."""
         x, y, z = turned(point, self.turn)

@@ -12,9 +12,8 @@ from checked_files.source_files import read_text
 from object_perception.beliefs import Sighting
 from object_perception.camera import ConeView, NoView, View
 from object_perception.geometry import Transform
-from object_perception.ros_looks import Looks, transform_of
+from object_perception.ros_looks import Perceiver, transform_of
 from object_perception.tag_file import SeenTag, load_tag_file, sightings_of_tags
-from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 
@@ -43,7 +42,7 @@ class Settings(Parameters):
     furthest_m: float = parameter(2.0, least=0.0, most=100.0)
 
 
-class ArTags:
+class ArTags(Perceiver):
     """Turns AR tags into the objects that carry them.
 
     Subscribes:
@@ -61,14 +60,10 @@ class ArTags:
             self._tags = load_tag_file(read_text(settings.tags_file), settings.tags_file)
         except FileRefused as refused:
             raise StartError("; ".join(str(problem) for problem in refused.problems)) from refused
-        self._looks = Looks()
+        super().__init__()
         self._subscriber = rospy.Subscriber("ar_pose_marker", AlvarMarkers, self._on_markers, queue_size=10)
         self._looks.start()
         rospy.loginfo("ready: %d tags, %s", len(self._tags), settings)
-
-    def health(self) -> Health:
-        """How the node is."""
-        return self._looks.health()
 
     def _on_markers(self, message: AlvarMarkers) -> None:
         settings = self._settings

@@ -3,7 +3,7 @@
 import threading
 import time
 from dataclasses import dataclass
-from typing import Any, Callable, List, Tuple
+from typing import Any, Callable, List, Sequence, Tuple
 
 import rospy
 import tf2_ros
@@ -15,7 +15,7 @@ from object_perception.geometry import Transform
 from object_perception.pending import Pending
 from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import Parameters, parameter
-from roboframenet_ros.ros_node import read_parameters
+from roboframenet_ros.ros_node import StartError, read_parameters
 from roboframenet_ros.ros_publishing import publish
 from world_model.knowledge import Update
 from world_model.ros_messages import object_to_message, world_from_message
@@ -165,6 +165,31 @@ class Looks:
             self._changed.notify_all()
         if self._thread.is_alive():
             self._thread.join(2.0)
+
+
+class Perceiver:
+    """What the nodes have in common: their looks, and how they are."""
+
+    def __init__(self) -> None:
+        """
+        Raises:
+            ParameterError: a parameter is wrong
+        """
+        self._looks = Looks()
+
+    def health(self) -> Health:
+        """How the node is."""
+        return self._looks.health()
+
+
+def check_labels(labels: Sequence[str]) -> None:
+    """Check that the classes of a detector have names.
+
+    Raises:
+        StartError: there are no labels
+    """
+    if not labels:
+        raise StartError("~labels is empty: it lists the names of the classes of the detector")
 
 
 def transform_of(pose: Any) -> Transform:

@@ -16,8 +16,7 @@ out of the tag, towards who reads it; metres and radians.
 """
 
 import math
-import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Dict, List, Optional, Sequence, Tuple
 
 import yaml
@@ -25,12 +24,11 @@ import yaml
 from checked_files.marked_yaml import Reader
 from object_perception.beliefs import Sighting
 from object_perception.geometry import Transform, about_z, of_roll_pitch_yaw, turned
-from world_model.world_object import Pose, Sort, WorldObject, mistakes
+from world_model.world_object import Pose, Sort, WorldObject, mistakes, words_of_id
 
 _OBJECT_KEYS = ("name", "category", "attributes", "sort", "size", "tags")
 _TAG_KEYS = ("x", "y", "z", "roll", "pitch", "yaw")
 _SORTS = ("thing", "person", "door", "device")
-_NUMBER_AT_THE_END = re.compile(r"_\d+$")
 #: Tags of all families have fewer numbers.
 _MOST = 65535
 
@@ -66,24 +64,13 @@ def sightings_of_tags(
     found = []
     for tag in tags:
         tagged = known.get(tag.number)
-        if tagged is None or not all(map(math.isfinite, (*tag.place.position, *tag.place.turn))):
-            continue
-        if not 0.9 < sum(number * number for number in tag.place.turn) < 1.1:
+        if tagged is None or not tag.place.is_rigid:
             continue
         there = place.then(tag.place).then(tagged.offset)
         x, y, z = there.position
         ahead = turned((1.0, 0.0, 0.0), there.turn)
         pose = Pose(world_frame, x, y, z, about_z(math.atan2(ahead[1], ahead[0])))
-        about = WorldObject(
-            tagged.about.id,
-            tagged.about.sort,
-            name=tagged.about.name,
-            category=tagged.about.category,
-            attributes=tagged.about.attributes,
-            size_m=tagged.about.size_m,
-            pose=pose,
-        )
-        found.append(Sighting(about, score))
+        found.append(Sighting(replace(tagged.about, pose=pose), score))
     return found
 
 
@@ -110,9 +97,7 @@ def load_tag_file(text: str, path: str) -> Dict[int, Tagged]:
             name,
             Sort(reader.choice(entries.get("sort"), f"{key}.sort", _SORTS, Sort.THING.value)),
             name=reader.text(entries.get("name"), f"{key}.name"),
-            category=reader.text(
-                entries.get("category"), f"{key}.category", _NUMBER_AT_THE_END.sub("", name).replace("_", " ")
-            ),
+            category=reader.text(entries.get("category"), f"{key}.category", words_of_id(name)),
             attributes=reader.texts(entries.get("attributes"), f"{key}.attributes"),
             size_m=_size(reader, entries.get("size"), f"{key}.size"),
         )
@@ -155,14 +140,4 @@ def _offset(reader: Reader, node: yaml.Node, key: str) -> Transform:
 
 
 def _number(reader: Reader, node: Optional[yaml.Node], key: str) -> float:
-    if node is None:
-        return 0.0
-    text = reader.text(node, key)
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        reader.report("NOT_A_NUMBER", node, key, f"'{text}'", "a number: metres or radians")
-        return 0.0
-    return number
+    return reader.number(node, key, "a number: metres or radians")

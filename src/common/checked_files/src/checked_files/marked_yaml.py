@@ -1,6 +1,7 @@
 """YAML nodes with their lines, read against a schema that collects all mistakes of a file at once."""
 
 import difflib
+import math
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
 
 import yaml
@@ -212,19 +213,25 @@ class Reader:
             return default
         return _BOOLEANS[value]
 
-    def seconds(self, node: Optional[yaml.Node], key: str, default: float) -> float:
-        """Return a duration: a number of seconds, more than 0 and finite."""
+    def number(
+        self, node: Optional[yaml.Node], key: str, expected: str, *, default: float = 0.0, above: float = -math.inf
+    ) -> float:
+        """Return a finite number above a bound; ``expected`` says what it is, for the problem of another value."""
         if node is None:
             return default
         text = self.text(node, key)
         try:
-            seconds = float(text)
+            number = float(text)
         except ValueError:
-            seconds = float("nan")
-        if not 0.0 < seconds < float("inf"):
-            self.report("NOT_A_NUMBER", node, key, f"'{text}'", "seconds, more than 0")
+            number = math.nan
+        if not above < number < math.inf:
+            self.report("NOT_A_NUMBER", node, key, f"'{text}'", expected)
             return default
-        return seconds
+        return number
+
+    def seconds(self, node: Optional[yaml.Node], key: str, default: float) -> float:
+        """Return a duration: a number of seconds, more than 0 and finite."""
+        return self.number(node, key, "seconds, more than 0", default=default, above=0.0)
 
     def texts(self, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
         """Return a list of texts; a single text is a list of one."""

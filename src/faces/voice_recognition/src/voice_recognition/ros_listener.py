@@ -2,7 +2,8 @@
 
 import threading
 import time
-from typing import Callable, Optional, Tuple, TypeVar
+from functools import partial
+from typing import Callable, Optional, Tuple
 
 import rospy
 
@@ -24,8 +25,6 @@ from voice_recognition.whisper_model import NoWhisper
 RETRY_S = 10.0
 #: Share of a sound from which on it is told that it is cut off, and seconds between two such lines of the log.
 CLIPPED, WARN_S = 0.01, 60.0
-
-Given = TypeVar("Given")
 
 
 class Listener:
@@ -70,9 +69,11 @@ class Listener:
             command = settings.microphone or arecord_command(settings.device)
             has_sound, complaint = False, "arecord is not installed"
             if settings.audio_topic:
-                has_sound, complaint = self._listen_to(settings.audio_topic, TopicMicrophone, settings.audio_topic)
+                has_sound, complaint = self._listen_to(
+                    settings.audio_topic, partial(TopicMicrophone, settings.audio_topic)
+                )
             elif command is not None:
-                has_sound, complaint = self._listen_to(command[0], Microphone, command)
+                has_sound, complaint = self._listen_to(command[0], partial(Microphone, command))
             complaint = complaint or "sound card?"
             if has_sound:
                 rospy.logwarn("the microphone has ended (%s), and is tried again", complaint)
@@ -81,11 +82,11 @@ class Listener:
             said = "" if has_sound else complaint
             time.sleep(RETRY_S)
 
-    def _listen_to(self, name: str, open_source: Callable[[Given], SoundSource], given: Given) -> Tuple[bool, str]:
+    def _listen_to(self, name: str, open_source: Callable[[], SoundSource]) -> Tuple[bool, str]:
         """Listen to a microphone until it ends; return whether it made any sound, and what it said is wrong."""
         try:
             spotter = StopSpotter(model_dictionary())
-            source = open_source(given)
+            source = open_source()
         except (NoRecogniser, OSError) as reason:
             return False, str(reason)
         hearing = StopHearing(spotter, self._stop_by_whisper)

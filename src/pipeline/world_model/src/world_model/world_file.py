@@ -14,14 +14,13 @@ The file has a mapping for each sort, and each maps ids to what is known::
 """
 
 import math
-import re
 from typing import Dict, List, Mapping, Optional, Tuple
 
 import yaml
 
 from checked_files.marked_yaml import Reader, did_you_mean
 from world_model.knowledge import MOST_STORED
-from world_model.world_object import FILE, Pose, Relation, Sort, WorldObject, mistakes
+from world_model.world_object import FILE, Pose, Relation, Sort, WorldObject, mistakes, words_of_id
 
 SECTIONS: Mapping[str, Sort] = {
     "places": Sort.PLACE,
@@ -50,7 +49,6 @@ RELATIONS = (
 _KEYS = ("name", "names", "category", "attributes", "states", "size", "x", "y", "z", "heading", "frame_id")
 #: Sorts whose objects have a name of their own; others are one of many.
 _NAMED = frozenset([Sort.PLACE, Sort.PERSON])
-_NUMBER_AT_THE_END = re.compile(r"_\d+$")
 
 
 def load_world_file(text: str, path: str) -> Tuple[WorldObject, ...]:
@@ -93,7 +91,7 @@ def _read(
     reader: Reader, node: yaml.Node, key: str, name: str, sort: Sort, references: List[Tuple[yaml.Node, str, str]]
 ) -> WorldObject:
     entries = reader.mapping(node, key, (*_KEYS, *RELATIONS)) if not _is_blank(node) else {}
-    said = _NUMBER_AT_THE_END.sub("", name).replace("_", " ")
+    said = words_of_id(name)
     default = (said.title() if sort is Sort.PERSON else said) if sort in _NAMED else ""
     relations: List[Relation] = []
     for relation in RELATIONS:
@@ -119,18 +117,8 @@ def _is_blank(node: yaml.Node) -> bool:
     return isinstance(node, yaml.ScalarNode) and not node.value
 
 
-def _number(reader: Reader, node: Optional[yaml.Node], key: str, default: float = 0.0) -> float:
-    if node is None:
-        return default
-    text = reader.text(node, key)
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        reader.report("NOT_A_NUMBER", node, key, f"'{text}'", "a number: metres, or radians for heading")
-        return default
-    return number
+def _number(reader: Reader, node: Optional[yaml.Node], key: str) -> float:
+    return reader.number(node, key, "a number: metres, or radians for heading")
 
 
 def _size(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[float, float, float]:

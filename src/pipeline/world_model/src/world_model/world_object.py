@@ -19,6 +19,7 @@ OWNED_BY, LEADS_TO = "of", "to"
 NOT_PLACES = frozenset([OWNED_BY, LEADS_TO])
 
 _ID = re.compile(r"[\w./-]{1,100}", re.ASCII)
+_NUMBER_AT_THE_END = re.compile(r"_\d+$")
 
 
 class Sort(str, enum.Enum):
@@ -129,6 +130,11 @@ class WorldObject:
 def is_id(text: str) -> bool:
     """Whether a text may be an id."""
     return _ID.fullmatch(text) is not None
+
+
+def words_of_id(name: str) -> str:
+    """Return what an object is called when only its id says so: "coffee mug" for coffee_mug_1."""
+    return _NUMBER_AT_THE_END.sub("", name).replace("_", " ")
 
 
 def mistakes(one: WorldObject) -> Tuple[str, ...]:

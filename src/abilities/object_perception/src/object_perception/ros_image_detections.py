@@ -12,10 +12,9 @@ from object_perception.beliefs import Sighting
 from object_perception.camera import Camera, DepthError, ImageView, View, depths_of
 from object_perception.detections import BoxInImage, sightings_in_image
 from object_perception.geometry import Transform
-from object_perception.ros_looks import Looks
-from roboframenet_ros.health import Health
+from object_perception.ros_looks import Perceiver, check_labels
 from roboframenet_ros.parameters import Parameters, parameter
-from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_node import read_parameters, run_node
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class Settings(Parameters):
     furthest_m: float = parameter(4.0, least=0.1, most=100.0)
 
 
-class Detections2D:
+class ImageDetections(Perceiver):
     """Turns detections in images with depths into objects.
 
     Subscribes:
@@ -52,10 +51,9 @@ class Detections2D:
         Raises:
             StartError: there are no labels
         """
-        if not settings.labels:
-            raise StartError("~labels is empty: it lists the names of the classes of the detector")
+        check_labels(settings.labels)
+        super().__init__()
         self._settings = settings
-        self._looks = Looks()
         self._camera: Optional[Camera] = None
         self._frame_id = ""
         self._info = rospy.Subscriber("camera_info", CameraInfo, self._on_camera, queue_size=1)
@@ -65,10 +63,6 @@ class Detections2D:
         self._both.registerCallback(self._on_both)
         self._looks.start()
         rospy.loginfo("ready: %s", settings)
-
-    def health(self) -> Health:
-        """How the node is."""
-        return self._looks.health()
 
     def _on_camera(self, message: CameraInfo) -> None:
         focal_x, focal_y, center_x, center_y = message.K[0], message.K[4], message.K[2], message.K[5]
@@ -124,4 +118,4 @@ class Detections2D:
 
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("detections_2d_to_world", lambda: Detections2D(read_parameters(Settings)))
+    run_node("detections_2d_to_world", lambda: ImageDetections(read_parameters(Settings)))

@@ -10,10 +10,9 @@ from object_perception.beliefs import Sighting
 from object_perception.camera import ConeView, Forward, NoView, View
 from object_perception.detections import BoxInSpace, sightings_in_space
 from object_perception.geometry import Transform
-from object_perception.ros_looks import Looks, transform_of
-from roboframenet_ros.health import Health
+from object_perception.ros_looks import Perceiver, check_labels, transform_of
 from roboframenet_ros.parameters import Parameters, parameter
-from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_node import read_parameters, run_node
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class Settings(Parameters):
     forward: Forward = parameter(Forward.Z)
 
 
-class Detections3D:
+class SpaceDetections(Perceiver):
     """Turns detections in space into objects.
 
     Subscribes:
@@ -51,17 +50,12 @@ class Detections3D:
         Raises:
             StartError: there are no labels
         """
-        if not settings.labels:
-            raise StartError("~labels is empty: it lists the names of the classes of the detector")
+        check_labels(settings.labels)
+        super().__init__()
         self._settings = settings
-        self._looks = Looks()
         self._subscriber = rospy.Subscriber("detections", Detection3DArray, self._on_detections, queue_size=10)
         self._looks.start()
         rospy.loginfo("ready: %s", settings)
-
-    def health(self) -> Health:
-        """How the node is."""
-        return self._looks.health()
 
     def _on_detections(self, message: Detection3DArray) -> None:
         boxes = [_box(one) for one in message.detections]
@@ -87,4 +81,4 @@ def _box(message: Detection3D) -> BoxInSpace:
 
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("detections_3d_to_world", lambda: Detections3D(read_parameters(Settings)))
+    run_node("detections_3d_to_world", lambda: SpaceDetections(read_parameters(Settings)))
