@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Set, Tuple
 
 import yaml
+from word_lists import documentation
 
 from roboframenet_testing.workspace import packages
 
@@ -78,12 +79,10 @@ def texts_of_module(code: str) -> Iterator[Tuple[str, str]]:
     Docstrings, help of command lines, and what a string is compared with are not told.
     """
     tree = ast.parse(code)
-    silent: Set[ast.AST] = set()
+    silent = set(documentation(tree))
     logged: Set[ast.AST] = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-            silent.add(node.value)
-        elif isinstance(node, ast.JoinedStr):
+        if isinstance(node, ast.JoinedStr):
             silent.update(node.values)
         elif isinstance(node, ast.Compare):
             silent.update((node.left, *node.comparators))

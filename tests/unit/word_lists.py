@@ -33,19 +33,19 @@ def word_lists(code: str, names: FrozenSet[str] = frozenset()) -> List[WordList]
         names: words that do not count if a list has no others: names of grammatical relations
     """
     tree = ast.parse(code)
-    documentation = set(_documentation(tree))
+    strings_of_no_data = set(documentation(tree))
     found: List[WordList] = []
     inner: Set[ast.AST] = set()
     for node in ast.walk(tree):
         if node in inner:
             continue
-        words = frozenset(_words(node, inner) if node not in documentation else ())
+        words = frozenset(_words(node, inner) if node not in strings_of_no_data else ())
         if len(words) >= FEWEST and not words <= names:
             found.append(WordList(getattr(node, "lineno", 0), words))
     return sorted(found, key=lambda one: one.line)
 
 
-def _documentation(tree: ast.AST) -> Iterator[ast.AST]:
+def documentation(tree: ast.AST) -> Iterator[ast.AST]:
     """Return the strings that are no data: docstrings, and names that a module exports."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):

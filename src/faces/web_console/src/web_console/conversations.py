@@ -118,17 +118,12 @@ class ConversationFile:
         Raises:
             StoreError: the file cannot be read
         """
-        wanted = words.lower().split()
-        verdicts = {word[1:] for word in wanted if word in (f":{RIGHT}", f":{WRONG}")}
         query = "SELECT entry FROM said WHERE (? <= 0 OR stamp_s < ?)"
         values: List[Any] = [before_s, before_s]
-        for word in wanted:
-            if word[1:] not in verdicts or word[:1] != ":":
-                query += " AND instr(words, ?)"
-                values.append(word)
-        for verdict in sorted(verdicts):
-            query += " AND instr(entry, ?)"
-            values.append(f'"verdict": "{verdict}"')
+        for word in words.lower().split():
+            is_verdict = word in (f":{RIGHT}", f":{WRONG}")
+            query += f" AND instr({'entry' if is_verdict else 'words'}, ?)"
+            values.append(f'"verdict": "{word[1:]}"' if is_verdict else word)
         with self._file.reading() as connection:
             rows = connection.execute(f"{query} ORDER BY stamp_s DESC LIMIT ?", (*values, most)).fetchall()
         return _conversations(rows)

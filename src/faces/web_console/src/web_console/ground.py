@@ -1,13 +1,12 @@
 """The ground around the robot: poses, and the picture of a map."""
 
 import math
-import struct
-import zlib
 from dataclasses import dataclass
-from typing import List, Optional, Sequence, Tuple
+from typing import Optional, Sequence, Tuple
 
 import numpy as np
 
+from web_console.png import as_png
 from web_console.views import Point, PoseView
 
 #: Values of an occupancy grid, in percent: from here on a cell is drawn as occupied.
@@ -131,17 +130,4 @@ def map_png(cells: "np.ndarray[Tuple[int, int], np.dtype[np.int8]]") -> bytes:
         # A thin wall must not vanish.
         cells = blocks.max(axis=(1, 3))
     colours = np.where(cells < 0, 0, np.where(cells >= _OCCUPIED, 2, 1)).astype(np.uint8)[::-1]
-    height, width = colours.shape
-    lines = np.zeros((height, width + 1), dtype=np.uint8)
-    lines[:, 1:] = colours
-    head = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
-    chunks: List[Tuple[bytes, bytes]] = [
-        (b"IHDR", head),
-        (b"PLTE", _PALETTE),
-        (b"tRNS", _TRANSPARENCY),
-        (b"IDAT", zlib.compress(lines.tobytes(), 6)),
-        (b"IEND", b""),
-    ]
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)) for name, data in chunks
-    )
+    return as_png(colours[:, :, np.newaxis], level=6, palette=_PALETTE, transparency=_TRANSPARENCY)

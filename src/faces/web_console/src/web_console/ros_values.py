@@ -32,7 +32,6 @@ from web_console.arcs import ParsedWord
 from web_console.arguments import argument_view, trace_lines
 from web_console.conversations import Frame
 from web_console.ground import Pose, heading_of, map_png
-from web_console.learned import LearnedItemView, LearnedView
 from web_console.suggestions import Present
 from web_console.telling import help_after
 from web_console.views import (
@@ -41,6 +40,8 @@ from web_console.views import (
     ClauseView,
     KnownView,
     LandmarkView,
+    LearnedItemView,
+    LearnedView,
     MapView,
     OrdersView,
     OrderView,

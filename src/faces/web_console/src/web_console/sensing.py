@@ -1,14 +1,13 @@
 """Camera images as pictures for a browser, and the numbers of messages that can be drawn over time."""
 
 import math
-import struct
-import zlib
 from dataclasses import dataclass
 from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from web_console.ground import heading_of
+from web_console.png import as_png
 
 #: A picture is not larger than this, pixels: a page shows it small.
 LONGEST_SIDE = 480
@@ -131,12 +130,4 @@ def picture_of(*, encoding: str, width: int, height: int, step: int, data: bytes
         raise NoPicture(f"{len(data)} bytes are not {width} by {height} pixels")
     rows = np.frombuffer(data, dtype=np.uint8, count=step * height).reshape(height, step)[:, : width * count]
     every = max(1, math.ceil(max(width, height) / LONGEST_SIDE))
-    pixels = rows.reshape(height, width, count)[::every, ::every][:, :, list(order)]
-    height, width, depth = pixels.shape
-    lines = np.zeros((height, 1 + width * depth), dtype=np.uint8)
-    lines[:, 1:] = pixels.reshape(height, width * depth)
-    head = struct.pack(">IIBBBBB", width, height, 8, 2 if depth == 3 else 0, 0, 0, 0)
-    chunks = ((b"IHDR", head), (b"IDAT", zlib.compress(lines.tobytes(), 1)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body)) for name, body in chunks
-    )
+    return as_png(rows.reshape(height, width, count)[::every, ::every][:, :, list(order)], level=1)

@@ -49,6 +49,7 @@ _MOST_FAULTS = 50
 PAST_RATE = Rate(per_s=5.0, burst=20.0)
 #: Pictures and numbers of all pages.
 SENSOR_RATE = Rate(per_s=40.0, burst=80.0)
+_TOO_FAST = "That was too fast. Please wait a second."
 _LONGEST_SEARCH = 200
 _MOST_NUMBERS = 4
 MOST_PAGES = 32
@@ -228,20 +229,23 @@ class _Guarded(RequestHandler):
             self.set_header(name, value)
         self.clear_header("Server")
 
+    def refuse(self, status: int, reason: str) -> None:
+        """Answer with a reason in place of what was asked for."""
+        self.set_status(status)
+        self.finish(f"{reason}\n")
+
     def prepare(self) -> None:
         self.set_header("Content-Security-Policy", self.shared.policy)
         if _knows_token(self, self.shared):
             return
         said = self.get_query_argument("token", "")
         if not self.shared.may("token"):
-            self.set_status(429)
-            self.finish("Too many attempts; wait a moment.\n")
+            self.refuse(429, "Too many attempts; wait a moment.")
         elif self.request.path == "/" and said and is_token(said, self.shared.settings.token):
             self.set_cookie(_COOKIE, self.shared.cookie, httponly=True, samesite="Strict")
             self.redirect("/")
         else:
-            self.set_status(401)
-            self.finish("Open this page as /?token=..., with the secret of the file that ~token_file names.\n")
+            self.refuse(401, "Open this page as /?token=..., with the secret of the file that ~token_file names.")
 
 
 def _knows_token(handler: RequestHandler, shared: _Shared) -> bool:
@@ -254,8 +258,7 @@ class _File(_Guarded):
     def get(self, name: str) -> None:
         file = self.shared.files.get(name)
         if file is None:
-            self.set_status(404)
-            self.finish("There is no such page.\n")
+            self.refuse(404, "There is no such page.")
             return
         self.set_header("Content-Type", file.kind)
         self.set_header("Vary", "Accept-Encoding")
@@ -273,8 +276,7 @@ class _Picture(_Guarded):
     def get(self, name: str) -> None:
         data = self.shared.pictures.get(name)
         if data is None:
-            self.set_status(404)
-            self.finish("There is no such picture.\n")
+            self.refuse(404, "There is no such picture.")
             return
         self.set_header("Content-Type", "image/png")
         self.finish(data)
@@ -285,8 +287,7 @@ class _Sensor(_Guarded):
 
     async def get(self, name: str) -> None:
         if not self.shared.may("sensors"):
-            self.set_status(429)
-            self.finish("That was too fast. Please wait a second.\n")
+            self.refuse(429, _TOO_FAST)
             return
         sensors = self.shared.callbacks.sensors
         kind = "application/json"
@@ -302,8 +303,7 @@ class _Sensor(_Guarded):
                     picture = await asyncio.wrap_future(sensors.picture(places[0] if places else -1))
                     kind, data = picture
         except NoPicture as error:
-            self.set_status(404)
-            self.finish(f"Nothing to see: {error}.\n")
+            self.refuse(404, f"Nothing to see: {error}.")
             return
         self.set_header("Content-Type", kind)
         self.finish(data)
@@ -315,8 +315,7 @@ class _PastFile(_Guarded):
     async def get(self, name: str) -> None:
         words = (self.get_query_argument("words", "") or "")[:_LONGEST_SEARCH]
         if not self.shared.may("past"):
-            self.set_status(429)
-            self.finish("That was too fast. Please wait a second.\n")
+            self.refuse(429, _TOO_FAST)
             return
         try:
             before_s = float(self.get_query_argument("before", "0") or 0.0)
@@ -324,8 +323,7 @@ class _PastFile(_Guarded):
                 self.shared.callbacks.past(name, words, before_s if math.isfinite(before_s) else 0.0)
             )
         except (ValueError, StoreError) as error:
-            self.set_status(500 if isinstance(error, StoreError) else 400)
-            self.finish(f"{error}\n")
+            self.refuse(500 if isinstance(error, StoreError) else 400, str(error))
             return
         self.set_header("Content-Type", "application/json" if name == LIST else "text/plain; charset=utf-8")
         if name != LIST:
@@ -407,7 +405,7 @@ class PageSocket(WebSocketHandler):
         if is_allowed:
             self._shared.callbacks.on_request(request)
         else:
-            self._refuse("That was too fast. Please wait a second.")
+            self._refuse(_TOO_FAST)
 
     def _read(self, message: Union[str, bytes]) -> Request:
         """Read a message.

@@ -5,9 +5,8 @@ import json
 import rospy
 from roboframenet_msgs.msg import Learned, LearnedItem
 
-from web_console.learned import LearnedItemView, LearnedView
 from web_console.ros_values import learned_view
-from web_console.views import as_json
+from web_console.views import LearnedItemView, LearnedView, as_json
 
 WAY = LearnedItem(
     "make_your_way.going", "make your way", '"make your way" means "go"', "anna", rospy.Time(5), "Make ..."

@@ -6,7 +6,7 @@ from semantic_types import shipped_nouns
 from typed_arguments import TypedArgument
 from word_classes import without_determiner, word_class
 from world_model import Sort, World, WorldObject
-from world_model.world import category_of
+from world_model.nouns import category_of
 from world_model.world_object import LEADS_TO
 
 #: A question names this many objects, and counts them if there are more.

@@ -6,7 +6,8 @@ from functools import cached_property
 from itertools import product
 from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
-from semantic_types import shipped_nouns, spoken
+from semantic_types import spoken
+from world_model.nouns import Nouns
 from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject
 
 #: Objects of a snapshot.
@@ -101,25 +102,8 @@ class World:
         return {name: tuple(objects) for name, objects in found.items()}
 
     @cached_property
-    def _by_category(self) -> Mapping[str, Tuple[WorldObject, ...]]:
-        found: Dict[str, List[WorldObject]] = {}
-        for one in self.objects:
-            found.setdefault(category_of(one), []).append(one)
-        return {category: tuple(objects) for category, objects in found.items()}
-
-    @cached_property
-    def _categories_below(self) -> Mapping[object, Tuple[str, ...]]:
-        """The categories below each synset of WordNet, and those that end with a word."""
-        found: Dict[object, List[str]] = {}
-        for category, objects in self._by_category.items():
-            is_person = objects[0].sort is Sort.PERSON
-            last = category.split()[-1] if category else ""
-            above = shipped_nouns().kinds(category, is_person=is_person)
-            if not above and last != category:
-                above = shipped_nouns().kinds(last, is_person=is_person)
-            for key in (last, *above):
-                found.setdefault(key, []).append(category)
-        return {key: tuple(categories) for key, categories in found.items()}
+    def _nouns(self) -> Nouns:
+        return Nouns(self.objects, self.taught_kinds)
 
     def of_sorts(self, *sorts: Sort) -> Tuple[WorldObject, ...]:
         """Return the objects of some sorts."""
@@ -138,7 +122,7 @@ class World:
 
     def exactly(self, noun: str) -> Tuple[WorldObject, ...]:
         """Return the objects of a category, without those of more special categories."""
-        return self._by_category.get(spoken(noun), ())
+        return self._nouns.exactly(noun)
 
     def kinds_of(self, noun: str) -> Tuple[WorldObject, ...]:
         """Return the objects that a noun may stand for: those of its category and of more special categories.
@@ -146,24 +130,7 @@ class World:
         A person may have taught more special ones. A noun of which nothing is known but that it is a kind of another
         stands for things of that other kind.
         """
-        found = {one.id: one for key in self._taught_below(spoken(noun)) for one in self._known_kinds_of(key)}
-        if not found:
-            above = (upper for lower, upper in self.taught_kinds if lower == spoken(noun))
-            found = {one.id: one for key in above for one in self._known_kinds_of(key)}
-        return tuple(found.values())
-
-    def _taught_below(self, key: str) -> Sequence[str]:
-        """Return a noun, and the nouns that are taught to be kinds of it."""
-        found = [key]
-        for one in found:
-            found += [lower for lower, upper in self.taught_kinds if upper == one and lower not in found]
-        return found
-
-    def _known_kinds_of(self, key: str) -> Tuple[WorldObject, ...]:
-        categories = [key, *self._categories_below.get(key, ())]
-        for synset in shipped_nouns().synsets(key):
-            categories += self._categories_below.get(synset, ())
-        return tuple(one for category in dict.fromkeys(categories) for one in self._by_category.get(category, ()))
+        return self._nouns.kinds_of(noun)
 
     def above(self, one: WorldObject) -> Iterator[Tuple[str, WorldObject]]:
         """Yield what carries or contains an object, the nearest first, each with the relation of what it carries."""
@@ -310,9 +277,9 @@ class World:
 
     def prepare(self) -> "World":
         """Look up now what queries need of the whole world, so that the first one is as fast as the others."""
-        indices = ("_by_name", "_categories_below", "_inside", "_related", "_squares", "_distance_m")
+        indices = ("_by_name", "_inside", "_related", "_squares", "_distance_m")
         of_objects = [(one, "properties") for one in self.objects]
-        for owner, name in [*((self, index) for index in indices), *of_objects]:
+        for owner, name in [*((self, index) for index in indices), (self._nouns, "categories_below"), *of_objects]:
             getattr(owner, name)
         return self
 
@@ -324,13 +291,6 @@ class World:
 def _of_this_run(one: WorldObject) -> WorldObject:
     one = one.without_place() if one.place_of_before_s else one
     return replace(one, states=(), states_of_before_s=0.0) if one.states_of_before_s else one
-
-
-def category_of(one: WorldObject) -> str:
-    """Return the category of an object as it is compared; persons and robots without one have that of their sort."""
-    if one.category:
-        return spoken(one.category)
-    return one.sort.value if one.sort in (Sort.PERSON, Sort.ROBOT, Sort.DOOR) else ""
 
 
 def _square(pose: Pose) -> _Square:

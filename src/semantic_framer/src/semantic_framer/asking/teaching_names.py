@@ -102,11 +102,11 @@ def _place(tree: DependencyTree, subject: Word, root: Word, known: FramedLexicon
         return None
     words = tree.text_of(sorted(_name_positions(tree, root) | _determiner_positions(tree, root)))
     said = without_determiner(words).lower()
-    others = [one for one in (*known.world.named(said), *known.world.exactly(said)) if one.id != here.id]
-    lesson = Lesson(said, here.id, PLACE, tree.text, told=f"{words} is {name_of(here)}")
-    if here in known.world.named(said) or here in known.world.exactly(said):
+    called_so = (*known.world.named(said), *known.world.exactly(said))
+    if here in called_so:
         return None
-    if others:
+    lesson = Lesson(said, here.id, PLACE, tree.text, told=f"{words} is {name_of(here)}")
+    if called_so:
         return TaughtName(lesson, "", f"I know {words} already. I am in {name_of(here)}.")
     return TaughtName(lesson, f'By "{words}", do you always mean this place, {name_of(here)}?')
 

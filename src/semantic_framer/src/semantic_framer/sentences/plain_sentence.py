@@ -130,8 +130,9 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
 def _asked(case: Case, context: Context) -> Tuple[Reading, ...]:
     """Return the readings of what a sentence asks; none if it asks nothing that can be answered."""
     inside, told = embedded_features(case), told_features(case)
-    found = own_question(case, inside) or state_question(case, inside) if inside is not None else ()
-    found = found or (deed_question(case, inside, context) if inside is not None else ())
+    found: Tuple[Reading, ...] = ()
+    if inside is not None:
+        found = own_question(case, inside) or state_question(case, inside) or deed_question(case, inside, context)
     if told is not None:
         found = found or own_question(case, told) or deed_question(case, told, context)
     if found:

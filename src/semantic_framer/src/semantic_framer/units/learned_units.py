@@ -101,11 +101,11 @@ def text_of_sequence(said: str, name: str, steps: Sequence[Step]) -> str:
             elements.append(_element_for(parent_name, child_name, step.frame))
         children.append({"name": step.frame.name, "frame_element_relations": relations})
     policies = [step.frame.on_unknown for step in steps]
-    strictest = [one for one in (UnknownPolicy.REFUSE, UnknownPolicy.ASK, UnknownPolicy.ACT) if one in policies]
+    strictest = next(one for one in (UnknownPolicy.REFUSE, UnknownPolicy.ASK, UnknownPolicy.ACT) if one in policies)
     frame: Dict[str, Any] = {
         "name": name,
         "description": f'A person taught the robot what "{said}" means.',
-        "on_unknown": strictest[0].value,
+        "on_unknown": strictest.value,
         "confirm": any(step.frame.is_confirmed for step in steps),
         "frame_elements": elements,
         "children": [children],
@@ -116,21 +116,15 @@ def text_of_sequence(said: str, name: str, steps: Sequence[Step]) -> str:
 
 def _element_for(name: str, child_name: str, child: SemanticFrame) -> Dict[str, Any]:
     """Return the element of a sequence that fills an element of a child."""
-    found: Dict[str, Any] = {"name": name}
     of_child = child.element(child_name)
-    if of_child is not None:
-        found.update(
-            {
-                key: value
-                for key, value in (
-                    ("framenet", of_child.framenet),
-                    ("semantic_type", list(of_child.semantic_types)),
-                    ("confirm", list(of_child.confirmed_values)),
-                )
-                if value
-            }
-        )
-    return found
+    if of_child is None:
+        return {"name": name}
+    taken_over = {
+        "framenet": of_child.framenet,
+        "semantic_type": list(of_child.semantic_types),
+        "confirm": list(of_child.confirmed_values),
+    }
+    return {"name": name, **{key: value for key, value in taken_over.items() if value}}
 
 
 def words_of(unit: LexicalUnit) -> Tuple[str, ...]:

@@ -75,7 +75,7 @@ def _is_bare(tree: DependencyTree, verb: Word) -> bool:
 
 def _is_request(tree: DependencyTree, verb: Word) -> bool:
     children = tree.children(verb.index)
-    is_of_hearer = any(one.deprel == "nsubj" and one.form.lower() == _HEARER for one in children)
+    is_of_hearer = any(one.deprel == "nsubj" and one.said == _HEARER for one in children)
     return is_of_hearer and any(one.deprel == "aux" and one.lemma.lower() in _REQUESTING for one in children)
 
 
@@ -123,22 +123,18 @@ def run_talk(arguments: argparse.Namespace, pipeline: Pipeline) -> int:
     found = _outcomes(asking, read_talk(arguments.folder, arguments.count))
     counts: CounterOf[str] = Counter(one.kind for one in found)
     kinds = (LEARNED, ASKED, DONE, ANSWERED, OTHERWISE_ASKED, REFUSED, FAILED)
+    failures = [one for one in found if one.kind not in (REFUSED, ANSWERED)]
     if arguments.wrong:
         with open(arguments.wrong, "w", encoding="utf-8") as file:
-            file.writelines(_line(one) for one in found if one.kind not in (REFUSED, ANSWERED))
+            file.writelines(map(_line, failures))
     if arguments.json:
         print(json.dumps({"sentences": len(found), **{kind: counts[kind] for kind in kinds}}))
         return 0
     rows = [(kind, str(counts[kind]), f"{100 * counts[kind] / max(1, len(found)):.1f} %") for kind in kinds]
     print(f"{len(found)} sentences\n\n{aligned(rows)}")
     if arguments.failures:
-        _print_failures([one for one in found if one.kind not in (REFUSED, ANSWERED)])
+        print("".join(map(_line, sorted(failures, key=lambda talk: talk.kind))), end="")
     return 0
-
-
-def _print_failures(found: Sequence[Talk]) -> None:
-    for one in sorted(found, key=lambda talk: talk.kind):
-        print(_line(one), end="")
 
 
 def _line(one: Talk) -> str:

@@ -34,11 +34,16 @@ class NothingLearned(RuntimeError):
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn export-learned``."""
     parser.epilog = EXAMPLES
+    add_file_argument(parser)
+    parser.add_argument("--out", metavar="FILE", help="write this file (default: print)")
+    parser.add_argument("--frames", metavar="FOLDER", help="write the frames of sequences into this folder")
+
+
+def add_file_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare ``--file``: where it is kept."""
     parser.add_argument(
         "--file", metavar="FILE", help="where it is kept (default: learned.sqlite in the ROS home folder)"
     )
-    parser.add_argument("--out", metavar="FILE", help="write this file (default: print)")
-    parser.add_argument("--frames", metavar="FOLDER", help="write the frames of sequences into this folder")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -78,14 +83,13 @@ def exported(units: List[LearnedUnit], *, has_frames: bool = False) -> str:
     """
     if not units:
         raise NothingLearned("nothing is learned")
-    entries = []
-    for unit in units:
-        is_written = bool(unit.unit_text) and (has_frames or not unit.frame_text)
-        remark = f"# {_described(unit)}\n"
-        entries.append(f"{remark}{unit.unit_text.rstrip()}\n" if is_written else f"# Left out:\n{remark}")
-    if not any(not line.startswith("#") for entry in entries for line in entry.splitlines()):
+    written = [bool(unit.unit_text) and (has_frames or not unit.frame_text) for unit in units]
+    if not any(written):
         raise NothingLearned("nothing that is learned is a lexical unit without a frame of its own; see --help")
-    return "".join(entries)
+    return "".join(
+        f"# {_described(unit)}\n{unit.unit_text.rstrip()}\n" if is_written else f"# Left out:\n# {_described(unit)}\n"
+        for unit, is_written in zip(units, written)
+    )
 
 
 def listed(units: List[LearnedUnit]) -> str:

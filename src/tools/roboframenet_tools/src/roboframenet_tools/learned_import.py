@@ -7,7 +7,7 @@ from typing import Tuple
 
 from nearest_meaning.learned_file import LearnedFile, default_learned_file
 from roboframenet_ros.sqlite_file import StoreError
-from roboframenet_tools.learned import NothingLearned, learned_units
+from roboframenet_tools.learned import NothingLearned, add_file_argument, learned_units
 
 EXAMPLES = """examples:
   rfn import-learned /from/another/robot/learned.sqlite
@@ -23,9 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn import-learned``."""
     parser.epilog = EXAMPLES
     parser.add_argument("source", metavar="SOURCE", help="the file of the other robot")
-    parser.add_argument(
-        "--file", metavar="FILE", help="where it is kept (default: learned.sqlite in the ROS home folder)"
-    )
+    add_file_argument(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -9,8 +9,6 @@ from checked_files.marked_yaml import Reader, line_of
 from roboframenet_tools.recording import Frame, Record
 
 _EXPECTED = "a list of sentences, each with 'frames', 'code' or 'means'"
-
-
 #: In the place of a code that no reply has.
 _NOT_UNDERSTOOD = "NOT UNDERSTOOD"
 

@@ -33,17 +33,19 @@ const past = new Past({
   offer: (text) => { show("talk"); talk.offer(text); },
 });
 
-function ask(request) {
+function send(message) {
   if (socket && socket.readyState === WebSocket.OPEN) {
-    socket.send(JSON.stringify(request));
+    socket.send(message);
     return true;
   }
   return false;
 }
 
-const microphone = new Microphone((part) => {
-  if (socket && socket.readyState === WebSocket.OPEN) socket.send(part);
-});
+function ask(request) {
+  return send(JSON.stringify(request));
+}
+
+const microphone = new Microphone(send);
 
 async function turnMicrophone() {
   try {
