@@ -11,6 +11,7 @@ import rospy
 
 from roboframenet_ros.health import Health, SelfDiagnosing
 from roboframenet_ros.parameters import ParameterError, Parameters, is_parameter
+from roboframenet_ros.ros_connection_threads import accept_in_threads
 from roboframenet_ros.ros_diagnostics import Diagnostics
 from roboframenet_ros.ros_interrupts import Interrupts
 from roboframenet_ros.ros_log import log_from_threads
@@ -121,6 +122,7 @@ def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
 def _init_node(name: str) -> Interrupts:
     """Connect to ROS; return what ends the node on Ctrl-C."""
     publish_promptly()
+    accept_in_threads()
     rospy.init_node(name)
     interrupts = Interrupts()
     log_from_threads()

@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import FilledSemanticFrameActionGoal
 
 from roboframenet_ros.orphaned_goals import OrphanWatch
 from roboframenet_ros.replays import AGAIN, Taken, is_old
+from roboframenet_ros.ros_connection_threads import accept_in_threads
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_missed_publishers import connect_missed_publishers
 from roboframenet_ros.ros_publishing import is_shutting_down
@@ -66,6 +67,7 @@ class QuietActionServer(actionlib.ActionServer):
         """Set up the topics, without the status timer, and a log that never delays a goal."""
         self._taken = Taken()
         log_from_threads()
+        accept_in_threads()
         connect_missed_publishers()
         super().initialize()
         if self.status_timer is not None:

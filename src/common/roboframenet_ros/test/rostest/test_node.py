@@ -18,11 +18,12 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
 from rospy.exceptions import TransportInitError
-from rospy.impl import registration
+from rospy.impl import registration, tcpros_base
 from rospy.impl.tcpros_base import TCPROSTransport
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
+from roboframenet_ros import ros_connection_threads
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_diagnostics import Diagnostics
@@ -239,6 +240,16 @@ class NodeTest(unittest.TestCase):
         wait_until(lambda: heard == ["here", "here"])
         subscriber.unregister()
         publisher.unregister()
+
+    def test_connection_that_says_nothing_keeps_nobody_out_and_is_closed(self) -> None:
+        ros_connection_threads.accept_in_threads()
+        address = tcpros_base.get_tcpros_server_address()
+        served = rospy.Service("served_meanwhile", Trigger, lambda request: TriggerResponse(success=True))
+        with mock.patch.object(ros_connection_threads, "_HEADER_TIMEOUT_S", 1.0):
+            with socket.create_connection(address, timeout=30.0) as silent:
+                self.assertTrue(call_service("served_meanwhile", Trigger, timeout_s=30.0).success)
+                self.assertEqual(b"", silent.recv(1))
+        served.shutdown()
 
     def test_node_says_how_it_is(self) -> None:
         healths = itertools.cycle([Health(values={"verbs": 3}), Health(Level.WARN, "No odometry\nyet."), None])
