@@ -231,6 +231,19 @@ def test_a_stage_imports_no_other_stage() -> None:
     assert {arrow for arrow in arrows if set(arrow) <= STAGES} == ARROWS_BETWEEN_STAGES
 
 
+def test_groups_of_packages_use_each_other_one_way() -> None:
+    def group(package: Path) -> str:
+        return package.name if package.parent == REPOSITORY / "src" else package.parent.name
+
+    groups = {package.name: group(package) for package in PACKAGES}
+    graph: Dict[str, Set[str]] = {}
+    for package in PACKAGES:
+        below = {groups[other] for other in packages_imported(package)}
+        graph.setdefault(group(package), set()).update(below - {group(package)})
+    assert "semantic_framer" in graph["pipeline"]
+    assert circle(graph) == []
+
+
 def test_roboframenet_ros_imports_only_messages() -> None:
     assert packages_imported(package("roboframenet_ros")) == {"roboframenet_msgs"}
 

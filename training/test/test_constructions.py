@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from command_models.conllu import Sentence, Word
-from command_models.constructions import corpus, inflection, registry, units, validity
+from command_models.constructions import corpus, inflection, units, validity
 from command_models.constructions.phrases import Phrases
 from command_models.errors import TrainingError
 from command_models.lexicon import EVALUATION, TRAINING, evaluation_words
@@ -22,15 +22,15 @@ UNITS = units.read_units(DOMAINS)
 def test_every_construction_draws_valid_trees(scored, lexicon):
     chooser = random.Random(11)
     phrases = Phrases(chooser, lexicon, Mined(), 0.1, UNITS)
-    for one in registry.constructions(scored=scored):
+    for one in corpus.constructions(scored=scored):
         for _ in range(25):
             sentence, text = corpus.draw(phrases, one, chooser, frozenset())  # raises where a tree is invalid
             assert text == sentence.text() and "  " not in text, one.name
 
 
 def test_a_third_of_the_constructions_is_for_scoring():
-    taught = {one.name for one in registry.constructions(scored=False)}
-    scored = {one.name for one in registry.constructions(scored=True)}
+    taught = {one.name for one in corpus.constructions(scored=False)}
+    scored = {one.name for one in corpus.constructions(scored=True)}
     assert not taught & scored
     assert len(scored) >= 35
 
@@ -41,14 +41,14 @@ def test_taught_sentences_have_no_evaluation_words_and_repeat():
     banned = evaluation_words()
     assert not any(word.lemma.lower() in banned for sentence in made for word in sentence.words)
     assert {sentence.comment("construction") for sentence in made} <= {
-        one.name for one in registry.constructions(scored=False)
+        one.name for one in corpus.constructions(scored=False)
     }
 
 
 def test_a_stranded_preposition_hangs_on_the_question_word():
     chooser = random.Random(2)
     phrases = Phrases(chooser, TRAINING, Mined(), 0.0, UNITS)
-    (one,) = [one for one in registry.constructions(scored=False) if one.name == "stranded"]
+    (one,) = [one for one in corpus.constructions(scored=False) if one.name == "stranded"]
     for _ in range(20):
         sentence, _ = corpus.draw(phrases, one, chooser, frozenset())
         case = [word for word in sentence.words if word.deprel == "case"][-1]

@@ -12,14 +12,20 @@ from command_models.lexicon import EVALUATION, TRAINING, Lexicon, evaluation_wor
 from command_models.mining import Mined
 from command_models.trees import Node
 
+from . import commands, embedded, phrasal, questions, scored_only, subordinate  # noqa: F401  (they enter themselves)
 from .phrases import Phrases
-from .registry import STRANDED, Construction, constructions
+from .registry import ENTERED, STRANDED, Construction
 from .units import Unit
 from .validity import violations
 
 LONGEST = 34
 #: Sentences of each construction that is for scoring.
 SCORED_EACH = 60
+
+
+def constructions(*, scored: bool) -> List[Construction]:
+    """Return the constructions that are taught, or those for scoring alone, by name."""
+    return [one for _, one in sorted(ENTERED.items()) if one.scored == scored]
 
 
 def sentence_of(one: Construction, root: Node, chooser: random.Random) -> Sentence:

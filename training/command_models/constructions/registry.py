@@ -1,7 +1,7 @@
 """The table of constructions: name, how often it is drawn, its final mark, and whether it is for scoring alone."""
 
 from dataclasses import dataclass
-from typing import Callable, Dict, List
+from typing import Callable, Dict
 
 from command_models.trees import Node
 
@@ -33,7 +33,8 @@ class Construction:
     projective: bool
 
 
-_ALL: Dict[str, Construction] = {}
+#: All of the modules that have been imported, by name.
+ENTERED: Dict[str, Construction] = {}
 
 
 def construction(
@@ -43,16 +44,9 @@ def construction(
 
     def enter(build: Build) -> Build:
         name = build.__name__
-        if name in _ALL:
+        if name in ENTERED:
             raise ValueError(f"two constructions are named {name}")
-        _ALL[name] = Construction(name, build, mark, weight, scored, projective)
+        ENTERED[name] = Construction(name, build, mark, weight, scored, projective)
         return build
 
     return enter
-
-
-def constructions(*, scored: bool) -> List[Construction]:
-    """Return the constructions that are taught, or those for scoring alone, by name."""
-    from . import commands, embedded, phrasal, questions, scored_only, subordinate  # noqa: F401  (they enter themselves)
-
-    return [one for _, one in sorted(_ALL.items()) if one.scored == scored]

@@ -245,10 +245,10 @@ class NodeTest(unittest.TestCase):
         ros_connection_threads.accept_in_threads()
         address = tcpros_base.get_tcpros_server_address()
         served = rospy.Service("served_meanwhile", Trigger, lambda request: TriggerResponse(success=True))
-        with mock.patch.object(ros_connection_threads, "_HEADER_TIMEOUT_S", 1.0):
-            with socket.create_connection(address, timeout=30.0) as silent:
-                self.assertTrue(call_service("served_meanwhile", Trigger, timeout_s=30.0).success)
-                self.assertEqual(b"", silent.recv(1))
+        shortly = mock.patch.object(ros_connection_threads, "_HEADER_TIMEOUT_S", 1.0)
+        with shortly, socket.create_connection(address, timeout=30.0) as silent:
+            self.assertTrue(call_service("served_meanwhile", Trigger, timeout_s=30.0).success)
+            self.assertEqual(b"", silent.recv(1))
         served.shutdown()
 
     def test_node_says_how_it_is(self) -> None:
