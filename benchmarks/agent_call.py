@@ -20,6 +20,8 @@ START_TIMEOUT_S = 120.0
 ANSWER_TIMEOUT_S = 20.0
 COUNT, WARM_UP = 100, 5
 FRAME, SERVER = "pinging", "answering_at_once"
+#: An agent that calls more often is refused; seconds between two calls.
+PAUSE_S = 0.12
 #: What a call may take at most beyond the goal, 99 times of 100; milliseconds.
 ALLOWED_MS = 300.0
 
@@ -107,6 +109,7 @@ async def turns(count: int, goals: Goals) -> Dict[str, List[float]]:
             await asyncio.sleep(0.2)
         for number in range(WARM_UP + count):
             times = (await in_thread(goals.goal_ms), await call_ms(client), await in_thread(goals.sentence_ms))
+            await asyncio.sleep(PAUSE_S)
             if number >= WARM_UP:
                 for name, took_ms in zip(found, times):
                     found[name].append(took_ms)

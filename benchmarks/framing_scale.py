@@ -52,7 +52,7 @@ def renamed(model: LexicalUnit, verb: str) -> LexicalUnit:
         verbs=(verb,) if model.verbs else (),
         questions=with_verb(model.questions),
         remarks=with_verb(model.remarks),
-        conditions=with_verb(model.conditions),
+        clauses=(),
         events=(verb,) if model.events else (),
         asks=(),
         holds=(),

@@ -72,8 +72,13 @@ class OneUnitTest(unittest.TestCase):
         self.assert_says("If you have docked, say hello.", Reply.DONE)
         self.assert_says("If you are not docked, dance.", Reply.DONE, "not")
         self.assert_says("You docked at the wrong charger.", Reply.REFUSED)
-        self.assert_says("Go to the charger at which you docked.", Reply.REFUSED, "Please name it.")
         self.assertTrue(self.truth["robot.is_docked"])
+        self.assert_says("Go to the bedroom.", Reply.DONE)
+        wait_until(lambda: self.truth["robot.room"] == "bedroom")
+        self.assert_says("Go to the charger that you opened.", Reply.REFUSED, "Please name it.")
+        self.assertEqual("bedroom", self.truth["robot.room"])
+        self.assert_says("Go to the charger at which you docked.", Reply.DONE)
+        wait_until(lambda: self.truth["robot.room"] != "bedroom")
 
     def test_5_while_it_docks(self) -> None:
         self.assert_says("Go to the bedroom.", Reply.DONE)

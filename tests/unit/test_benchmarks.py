@@ -24,3 +24,14 @@ def test_they_start():
     assert ended.returncode == 0, ended.stdout.splitlines()[-1:] + ended.stderr.splitlines()[-20:]
     for path in PROGRAMS:
         assert '__name__ == "__main__"' in path.read_text(encoding="utf-8"), path
+
+
+def test_units_are_made_up():
+    """The units of a bigger lexicon are the shipped ones with other verbs: each of their parts is known."""
+    made = "import runpy, sys; sys.path.insert(0, sys.argv[1])\n"
+    made += "lexicons, _, _, _ = runpy.run_path(sys.argv[1] + '/framing_scale.py', run_name='made')['scales']()\n"
+    made += "print(max(lexicons), len(lexicons[max(lexicons)][0].verbs) > 5000)"
+    ended = subprocess.run(
+        [sys.executable, "-c", made, str(FOLDER)], capture_output=True, text=True, timeout=300, check=False
+    )
+    assert ended.stdout.split() == ["10000", "True"], ended.stderr

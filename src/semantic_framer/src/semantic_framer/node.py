@@ -46,6 +46,7 @@ from robot_fleet.robot_names import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.framer import Heard, hear
 from semantic_framer.learning import Learning
+from semantic_framer.ros_deeds import Deeds
 from semantic_framer.ros_lexicon import SharedLexicon
 from semantic_framer.ros_messages import (
     acting_servers,
@@ -84,6 +85,7 @@ class _Talk:
         stop_stamp: of the last stop
         heeded: what its servers heed; None when it is not known yet
         subscriber: hears of its stops
+        deeds: what it has done
     """
 
     context: Context = Context()
@@ -91,6 +93,7 @@ class _Talk:
     stop_stamp: rospy.Time = field(default_factory=rospy.Time)
     heeded: Optional[Mapping[str, FrameHeeding]] = None
     subscriber: Optional[rospy.Subscriber] = None
+    deeds: Optional[Deeds] = None
 
     def is_stopped(self, command: Command) -> bool:
         """Whether a stop ended a command. A stop in the future does not count: the clock was set back."""
@@ -102,7 +105,7 @@ class SemanticFramer:
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
-        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched),
+        stop_report (StopReport), tried_frames (TriedFrame), known_names (KnownNames, latched), world (World, latched),
         fleet (Fleet, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
@@ -231,6 +234,7 @@ class SemanticFramer:
                     talk.context = talk.context.stopped()
 
         talk.subscriber = rospy.Subscriber(topic_of(robot, "stop_report"), StopReport, on_stop, queue_size=100)
+        talk.deeds = Deeds(robot)
         return talk
 
     def _talk(self, robot: str) -> _Talk:
@@ -290,6 +294,7 @@ class SemanticFramer:
                         self._heeded_by(talk, command.robot),
                         names.world_with(self._world),
                         self._speaker,
+                        talk.deeds.done(frames) if talk.deeds is not None else None,
                         likeness=self._likeness,
                         declined=self._learning.declined,
                         taught=names,

@@ -1,9 +1,10 @@
 """Finds the objects of the world that fit a phrase: its head, its modifiers, whose they are and where they are."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Iterable, Optional, Sequence, Set, Tuple
 
+from referring_expressions.deeds import DeedsDone, is_deed
 from referring_expressions.measures import Objects, in_order, measure
 from semantic_types import spoken
 from typed_arguments import EmbeddedFrame, Modifier, TypedArgument
@@ -33,12 +34,14 @@ class Situation:
         spoken_of: ids of what was spoken of, the last one first
         offered: ids that the robot has just asked about: "the red one" is one of them
         speaker: id of the person who speaks; empty when unknown
+        deeds: what the robot has done
     """
 
     world: World
     spoken_of: Tuple[str, ...] = ()
     offered: Tuple[str, ...] = ()
     speaker: str = ""
+    deeds: DeedsDone = field(default_factory=DeedsDone)
 
     def objects(self, ids: Iterable[str]) -> Objects:
         """Return the objects of some ids, without those that are no longer known."""
@@ -206,7 +209,10 @@ def _of(objects: Objects, complement: TypedArgument, situation: Situation) -> Ob
 
 
 def described(objects: Objects, description: EmbeddedFrame, situation: Situation) -> Objects:
-    """Return the objects that a description is true of: "on the table", "that is in the kitchen"."""
+    """Return the objects that a description is true of: "on the table", "that is in the kitchen", "that you closed"."""
+    if is_deed(description):
+        done = situation.deeds.done_to(description, lambda one: frozenset(it.id for it in fitting(one, situation)))
+        return tuple(one for one in objects if (one.id in done) is not description.is_negated)
     if description.head_element == "location":
         return tuple(one for one in objects if _holds(one, description.frame_elements, situation))
     place = next((element for element in description.frame_elements if element.relation or element.direction), None)

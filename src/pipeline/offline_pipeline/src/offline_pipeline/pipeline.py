@@ -12,6 +12,7 @@ from command_server.stop_words import find_cry
 from frame_registrar import search as registrar
 from nearest_meaning.likeness import Likeness
 from offline_pipeline.knowledge import Knowledge
+from referring_expressions.deeds import DeedsDone
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.filling.descriptions import descriptions
 from semantic_framer.framer import Heard, hear
@@ -32,6 +33,7 @@ from semantic_framer.values.reading import Reading
 from semantic_types import WordTypes
 from stanford_parser_ros.joint.lexicon_hints import hints_of
 from stanford_parser_ros.model import KnownWords, Parser, UnparsableText, shipped_parser
+from typed_arguments import FilledFrame
 from typed_arguments.goal_text import to_plain
 from utterance_passes.engine.trace import Trace, TraceLine
 from utterance_passes.trees.tree import DependencyTree
@@ -173,6 +175,13 @@ class Pipeline:
         """Return a pipeline that differs in what the robot knows of things, persons and places."""
         other = copy(self)
         other._known = replace(self._known, types=_types_with(self.knowledge, world), world=world)
+        return other
+
+    def having_done(self, *deeds: FilledFrame) -> "Pipeline":
+        """Return a pipeline that differs in what the robot has done: the frames, each of another command."""
+        other = copy(self)
+        done = DeedsDone(tuple((deed,) for deed in deeds), self.knowledge.frames)
+        other._known = replace(self._known, deeds=done)
         return other
 
     def parse(self, text: str) -> DependencyTree:

@@ -9,15 +9,16 @@ from datetime import datetime, timedelta
 from typing import Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from question_answering.answers_about_deeds import reason
-from question_answering.deed_log import PlannedNode, TriedClause, is_instance
+from question_answering.deed_log import PlannedNode, TriedClause
 from question_answering.robot_knowledge import RobotKnowledge
 from question_answering.wording import MOST_NAMED, Arguments, day_and_time, full_name
 from referring_expressions import fitting
+from referring_expressions.deeds import filled, is_about
 from referring_expressions.describing import noun_of
 from roboframenet_ros.spoken_text import join_with_and, with_capital
 from semantic_types import Fit, shipped_types
 from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
-from word_classes import without_determiner, word_class
+from word_classes import word_class
 from world_model import WorldObject
 from world_model.world_object import ROBOT_ID
 
@@ -64,7 +65,6 @@ class _About:
         self._agent = arguments.get("agent")
         self._time = arguments.get("time")
         self._known = known
-        self._elements = [one for one in asked.frame_elements if not one.is_asked and one.positions]
         #: The element that is asked for: "which lamps"; None if none is.
         self._wanted = next((one for one in asked.frame_elements if one.is_asked), None)
 
@@ -114,8 +114,8 @@ class _About:
         """Name what filled the element that is asked for."""
         names: List[str] = []
         for clause in found:
-            for filled in self._filled(clause, self._asks):
-                names += self._names(filled)
+            for argument in filled([one.frame for one in clause.done], self._asks):
+                names += self._names(argument)
         names = list(dict.fromkeys(names))
         if not names:
             return f'I carried out "{found[-1].text}", and do not remember that.'
@@ -123,16 +123,12 @@ class _About:
             return f"{len(names)}: {join_with_and(names[:MOST_NAMED])}."
         return f"{with_capital(join_with_and(names[:MOST_NAMED]))}."
 
-    def _filled(self, clause: TriedClause, element: str) -> List[TypedArgument]:
-        found = [one.frame.find(element) for one in clause.done]
-        return [one for one in found if one is not None]
-
-    def _names(self, filled: TypedArgument) -> List[str]:
-        objects = self._known.situation.objects(filled.referents)
+    def _names(self, argument: TypedArgument) -> List[str]:
+        objects = self._known.situation.objects(argument.referents)
         if objects:
-            where = f"{filled.relation.replace('_', ' ')} " if filled.relation else ""
+            where = f"{argument.relation.replace('_', ' ')} " if argument.relation else ""
             return [f"{where}{full_name(one)}" for one in objects]
-        return [filled.words or filled.text]
+        return [argument.words or argument.text]
 
     def _not_done(self, tried: Sequence[TriedClause]) -> str:
         if tried:
@@ -254,36 +250,10 @@ class _About:
         return self._is_about([one.frame for one in clause.done])
 
     def _is_about(self, frames: Sequence[FilledFrame]) -> bool:
-        is_same = is_instance([one.name for one in frames], self._asked.frame_name, self._known.frames)
-        return is_same and all(self._has(frames, element) for element in self._elements)
-
-    def _has(self, frames: Sequence[FilledFrame], element: TypedArgument) -> bool:
-        """Whether frames that were carried out have what an element of the question names."""
-        of_name = [one.find(element.name) for one in frames]
-        filled = [one for one in of_name if one is not None]
-        if not filled:
-            # A frame of a sequence may call it otherwise.
-            filled = [argument for one in frames if one.name != self._asked.frame_name for argument in one.arguments]
-        return any(self._is_same(element, one) for one in filled)
-
-    def _is_same(self, asked: TypedArgument, filled: TypedArgument) -> bool:
-        if _bare(asked.text) == _bare(filled.text):
-            return True
-        meant = self._ids(asked)
-        done = frozenset(filled.referents) or self._ids(filled)
-        if meant and done:
-            return bool(meant & done)
-        is_any = asked.quantifier in _ANY or (asked.is_plural and not asked.quantifier)
-        return is_any and asked.lemma.lower() == filled.lemma.lower()
+        return is_about(frames, self._asked, self._known.frames, self._ids)
 
     def _ids(self, phrase: TypedArgument) -> FrozenSet[str]:
-        if phrase.referents:
-            return frozenset(phrase.referents)
         return frozenset(one.id for one in fitting(phrase, self._known.situation, is_wide=True))
-
-
-def _bare(text: str) -> str:
-    return without_determiner(text.lower())
 
 
 def _without_generic(words: str) -> str:

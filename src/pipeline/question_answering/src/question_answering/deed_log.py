@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass, replace
 from datetime import datetime
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from semantic_frames.frame import SemanticFrame
 from typed_arguments import FilledFrame
 
 #: Clauses that are remembered.
@@ -159,26 +158,3 @@ def _active(
     if not active:
         return None
     return frozenset().union(*active) if node.kind == kinds.parallel else active[0]
-
-
-def is_instance(names: Iterable[str], asked: str, frames: Mapping[str, SemanticFrame]) -> bool:
-    """Whether frames that were carried out are an instance of another: itself, or one of its sequences.
-
-    Args:
-        names: the frames that were carried out
-        asked: the frame that is asked about
-        frames: by name
-    """
-    return _is_covered(asked, frozenset(names), frames, frozenset())
-
-
-def _is_covered(name: str, names: FrozenSet[str], frames: Mapping[str, SemanticFrame], above: FrozenSet[str]) -> bool:
-    if name in names:
-        return True
-    frame = frames.get(name)
-    if frame is None or name in above:
-        return False
-    return any(
-        sequence and all(_is_covered(child.name, names, frames, above | {name}) for child in sequence)
-        for sequence in frame.children
-    )

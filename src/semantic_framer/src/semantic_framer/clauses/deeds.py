@@ -3,6 +3,7 @@
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.readings import ClauseReadings, as_wish, readings_of_clause, with_extra
+from semantic_framer.clauses.things_done import told_by_deeds
 from semantic_framer.filling.extra_phrases import prohibition_beside
 from semantic_framer.judging.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict, told_above
 from semantic_framer.judging.verdicts import Case
@@ -28,7 +29,8 @@ def deeds_of(case: Case, trace: Optional[Trace]) -> Tuple[Optional[Refusal], Tup
         return refusal, ()
     clauses = _deeds(case, trace)
     refused = next((read.refusal for read in clauses if read.refusal), None)
-    return refused or _refusal(REST_VERDICTS, case, trace), clauses
+    refused = refused or _refusal(REST_VERDICTS, case, trace)
+    return (refused, clauses) if refused is not None else told_by_deeds(case, clauses, trace)
 
 
 def _deeds(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:

@@ -63,7 +63,7 @@ def attached_by_world(sentence: Sentence, known: FramedLexicon, context: Context
     """
     if not known.world.objects:
         return None
-    situation = Situation(known.world, context.ids_spoken_of, speaker=known.speaker)
+    situation = known.situation(context.ids_spoken_of)
     tree = sentence.tree
     for clause in find_clauses(tree, known):
         for noun in tree.children(clause.verb):

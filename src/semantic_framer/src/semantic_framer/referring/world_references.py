@@ -54,7 +54,7 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
     if not known.world.objects:
         return reading, None
     frame = known.frames[reading.unit.frame_name]
-    situation = Situation(known.world, context.ids_spoken_of, speaker=known.speaker)
+    situation = known.situation(context.ids_spoken_of)
     arguments: List[TypedArgument] = []
     unclear: Optional[Unclear] = None
     for argument in reading.arguments:
@@ -182,7 +182,7 @@ def looked_up_again(context: Context, known: FramedLexicon) -> Context:
     for mention in reversed(context.spoken_of):
         if mention.phrase is not None and mention.phrase.world_version != known.world.version:
             before = tuple(one.id for one in mentions)
-            mention = _looked_up(mention.phrase, Situation(known.world, before, speaker=known.speaker))
+            mention = _looked_up(mention.phrase, known.situation(before))
         mentions.insert(0, mention)
     return replace(context, spoken_of=tuple(mentions))
 

@@ -7,16 +7,13 @@ from semantic_framer.asking.choices import choices_left_open
 from semantic_framer.asking.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.changing.fragment_changes import Change, change_of
 from semantic_framer.changing.things_asked_for import as_said, asked_for
-from semantic_framer.clauses.deed_clauses import DeedClause
 from semantic_framer.clauses.deeds import deeds_of, words_told
 from semantic_framer.clauses.found_clauses import found_clauses
 from semantic_framer.clauses.readings import Heard
 from semantic_framer.clauses.state_questions import state_question
-from semantic_framer.filling.descriptions import relative_clauses
 from semantic_framer.judging.said_words import positions_named
 from semantic_framer.judging.sentence_verdicts import words_outside
 from semantic_framer.judging.verdicts import Case, case_of
-from semantic_framer.kinds.clause_features import Aspect, features_of
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.utterance_kind import KindVerdict
 from semantic_framer.queries.deed_questions import (
@@ -46,7 +43,6 @@ from semantic_framer.values.outcome import (
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause, find_clauses
-from utterance_passes.phrases.verb_matching import match_verbs
 from word_classes import agreement, word_class
 
 #: FrameNet's name of seeing and hearing.
@@ -100,15 +96,6 @@ def understand_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         # "Bob wants a beer." "Bring him one.": it may be spoken of further.
         is_told = refusal.code in (REPORT, TALK, PROHIBITION)
         return Heard(refusal, _told(sentence, case.clauses, context) if is_told else context, sentence, clauses)
-    named_by = _named_by_deeds(case, [read.clause for read in clauses])
-    if named_by:
-        now.write("named_by_deeds", named_by, "refused. It is not known which thing that was.")
-        return Heard(
-            Refusal("UNKNOWN_THING", f'I cannot tell which one is meant by "{named_by}". Please name it.'),
-            context,
-            sentence,
-            clauses,
-        )
     choices = choices_left_open(sentence, [(read.clause, read.kept[0]) for read in clauses], known)
     if choices:
         offered = " or ".join(choice.text for choice in choices)
@@ -166,26 +153,6 @@ def _answered(asked: Tuple[Reading, ...], sentence: Sentence, context: Context, 
     # A question is read only with all of its words.
     named = frozenset(word.index for word in sentence.tree.words)
     return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence, named=named)
-
-
-def _named_by_deeds(case: Case, clauses: Sequence[Clause]) -> str:
-    """Return the words that tell by a deed of the robot which thing is meant, "that you closed"; empty if none do.
-
-    The framer does not know what the robot did: it would take any door.
-    """
-    sentence, known = case.sentence, case.known
-    for clause in relative_clauses(sentence, clauses):
-        features = features_of(sentence.tree, clause.verb)
-        is_of_robot = features.agent and sentence.word(features.agent).said in _HEARERS
-        is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
-        if not (is_of_robot and is_over and match_verbs(sentence.tree, clause, known)):
-            continue
-        # What it saw, it may see again; "the person whom you met" is in its log.
-        frames = [known.frames.get(unit.frame_name) for unit in known.lexicon.events.units_of(clause.lemma)]
-        is_seen = any(frame is not None and frame.framenet == _SEEING for frame in frames)
-        if not is_seen or DeedClause(case, clause.verb, features).deed() is not None:
-            return sentence.text(sorted(sentence.subtree(clause.verb)))
-    return ""
 
 
 def _answers_nothing(sentence: Sentence, now: Now) -> bool:

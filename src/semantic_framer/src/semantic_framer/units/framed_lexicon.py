@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple
 
 from nearest_meaning.likeness import Likeness
+from referring_expressions import Situation
+from referring_expressions.deeds import DeedsDone
 from semantic_framer.units.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.units.heeding import FrameHeeding
 from semantic_framer.units.lexicon import Lexicon
@@ -30,6 +32,7 @@ class FramedLexicon:
             registrar says
         world: what the robot knows of things, persons and places
         speaker: id of the person who speaks; empty when unknown
+        deeds: what the robot has done; None while nobody tells that
         likeness: compares sentences with examples; None if nothing does
         declined: words of verbs, each with a frame that a person said is not meant by them
         without: names of passes and :data:`.rules.RULES` that are switched off, which shows what a rule does
@@ -41,10 +44,19 @@ class FramedLexicon:
     heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
     world: World = field(default_factory=World)
     speaker: str = ""
+    deeds: Optional[DeedsDone] = None
     likeness: Optional[Likeness] = None
     declined: FrozenSet[Tuple[str, str]] = frozenset()
     taught: TaughtNames = field(default_factory=TaughtNames)
     without: FrozenSet[str] = frozenset()
+
+    def situation(self, spoken_of: Tuple[str, ...] = ()) -> Situation:
+        """Return what is known when somebody speaks.
+
+        Args:
+            spoken_of: ids of what was spoken of, the last one first
+        """
+        return Situation(self.world, spoken_of, speaker=self.speaker, deeds=self.deeds or DeedsDone())
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
         """Return the units of a verb, with the relations that they inherit."""

@@ -1,0 +1,136 @@
+"""Things that are told apart by what the robot did to them: "the door *that you closed*"."""
+
+from dataclasses import replace
+from typing import Optional, Sequence, Tuple
+
+from referring_expressions import resolve
+from referring_expressions.deeds import is_deed
+from semantic_framer.clauses.deed_clauses import DeedClause
+from semantic_framer.clauses.readings import ClauseReadings
+from semantic_framer.filling.descriptions import relative_clauses
+from semantic_framer.judging.verdicts import Case
+from semantic_framer.kinds.clause_features import Aspect, features_of
+from semantic_framer.values.outcome import Refusal
+from semantic_framer.values.reading import Reading
+from typed_arguments import EmbeddedFrame, TypedArgument
+from utterance_passes.engine.trace import Trace
+from utterance_passes.phrases.clauses import Clause
+from utterance_passes.phrases.verb_matching import match_verbs
+from word_classes import word_class
+
+#: FrameNet's frame of seeing something.
+_SEEING = "Perception_experience"
+_RELATIVE_WORDS = word_class("relative_words")
+
+
+def told_by_deeds(
+    case: Case, clauses: Tuple[ClauseReadings, ...], trace: Optional[Trace]
+) -> Tuple[Optional[Refusal], Tuple[ClauseReadings, ...]]:
+    """Return why it is not known which thing a deed of the robot tells apart, and the readings with that deed.
+
+    A thing that is told apart by a deed is no other thing of its kind: who does not know which it is does nothing.
+
+    Args:
+        case: the sentence
+        clauses: the readings of its clauses
+        trace: receives a line for each such thing; None for no trace
+    """
+    for clause in relative_clauses(case.sentence, [read.clause for read in clauses]):
+        deed = _deed_of_robot(case, clause)
+        if deed is None:
+            continue
+        positions = sorted(case.sentence.subtree(clause.verb))
+        words = case.sentence.text(positions)
+        described = _description(case, clause, deed)
+        told = clauses if described is None else tuple(_with(case, read, clause, described) for read in clauses)
+        is_known = told != clauses and _is_known(case, told)
+        if trace is not None:
+            after = "of what was done" if is_known else "refused. It is not known which thing that is."
+            trace.add("told_by_deeds", words, after=after, positions=positions)
+        if not is_known:
+            sentence = f'I cannot tell which one is meant by "{words}". Please name it.'
+            return Refusal("UNKNOWN_THING", sentence), clauses
+        clauses = told
+    return None, clauses
+
+
+def _deed_of_robot(case: Case, clause: Clause) -> Optional[DeedClause]:
+    """Return the deed of the robot that is over by now, of which a relative clause tells; None for others."""
+    features = features_of(case.sentence.tree, clause.verb)
+    deed = DeedClause(case, clause.verb, features)
+    is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
+    if not (deed.is_of_robot and is_over and match_verbs(case.sentence.tree, clause, case.known)):
+        return None
+    # What it saw, it may see again; "the person whom you met" is in its log.
+    units = case.known.lexicon.events.units_of(clause.lemma)
+    frames = [case.known.frames.get(unit.frame_name) for unit in units]
+    is_seen = any(frame is not None and frame.framenet == _SEEING for frame in frames)
+    return None if is_seen and deed.deed() is None else deed
+
+
+def _description(case: Case, clause: Clause, of: DeedClause) -> Optional[EmbeddedFrame]:
+    """Return a deed as the description of the thing that it was done to; None where it is not clear what was done."""
+    deed = of.deed()
+    if deed is None:
+        return None
+    gap = _gap(case, deed)
+    if not gap:
+        return None
+    positions = sorted(case.sentence.subtree(clause.verb))
+    return EmbeddedFrame(
+        role="describes",
+        frame_name=deed.unit.frame_name,
+        words=case.sentence.text(positions),
+        positions=tuple(positions),
+        head_element=gap,
+        mood="statement",
+        is_negated=of.features.is_negated,
+        frame_elements=tuple(
+            one
+            for one in deed.arguments
+            if one.positions and one.name != gap and one.head_position != of.features.agent
+        ),
+    )
+
+
+def _gap(case: Case, deed: Reading) -> str:
+    """Return the element of a deed that the thing fills which it describes; empty where that is not clear."""
+    stands_in = [one.name for one in deed.arguments if _is_relative(case, one)]
+    missing = [one.name for one in deed.asked]
+    return stands_in[0] if len(stands_in) == 1 and not missing else missing[0] if len(missing) == 1 else ""
+
+
+def _is_relative(case: Case, argument: TypedArgument) -> bool:
+    return argument.head_position > 0 and case.sentence.word(argument.head_position).said in _RELATIVE_WORDS
+
+
+def _with(case: Case, read: ClauseReadings, clause: Clause, description: EmbeddedFrame) -> ClauseReadings:
+    """Return readings in which the thing that a relative clause describes has that description."""
+    thing = case.sentence.word(clause.verb).head
+
+    def described(reading: Reading) -> Reading:
+        return replace(reading, arguments=tuple(map(of_argument, reading.arguments)))
+
+    def of_argument(argument: TypedArgument) -> TypedArgument:
+        if argument.head_position != thing:
+            return argument
+        others = tuple(one for one in argument.frames if not set(one.positions) & set(description.positions))
+        return replace(argument, frames=(*others, description))
+
+    return replace(read, kept=tuple(map(described, read.kept)))
+
+
+def _is_known(case: Case, clauses: Sequence[ClauseReadings]) -> bool:
+    """Whether the things are known that deeds tell apart; yes where nobody tells what was done."""
+    if case.known.deeds is None:
+        return True
+    situation = case.known.situation()
+    things = [
+        argument
+        for read in clauses
+        for reading in read.kept[:1]
+        for argument in reading.arguments
+        if any(map(is_deed, argument.frames))
+    ]
+    found = [resolve(thing, situation) for thing in things]
+    return all(one is not None and one.objects for one in found)
