@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.conditions import is_auxiliary
-from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at
+from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at, ends_of_way
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
@@ -171,9 +171,19 @@ class _Finder:
             joint = self._said.joint(Link(times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self._said.forms[place:])
+        if link is not None and link.kind is LinkKind.ALTERNATING:
+            return self._alternating(link, place, length)
         if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place + length)):
             return self._said.joint(link, place, place + length, length, None), place + length
         return None, 0
+
+    def _alternating(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
+        """Return words that say that the robot goes between two places, or several, again and again."""
+        items = ends_of_way(self._said.sentence.tree)
+        behind = self._said.forms[place + length : place + length + 1]
+        if not items or behind == ["to"]:
+            return None, 0  # "From the office to the hall *and back to* the office" says where to go then.
+        return replace(self._said.joint(link, place, place + length, length, None), items=items), place + length
 
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""

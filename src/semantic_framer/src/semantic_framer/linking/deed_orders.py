@@ -9,7 +9,7 @@ from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 from semantic_framer.linking.link_file import LinkKind, shipped_links
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.iterations import times_said
-from utterance_passes.trees.tree import NOUNS, Word
+from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
@@ -160,6 +160,25 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
         return None
     return ItemOrder(end - place, earlier, later, True, not is_not and (is_before or not is_only), border)
+
+
+def ends_of_way(tree: DependencyTree) -> Tuple[int, ...]:
+    """Return the positions of the first of two places, of the word between them, of the second one and of the word
+    before them: "*between* the hall *and* the office", "*from* the hall *to* the office"; nothing for another sentence.
+    """
+    for place in tree.words:
+        cases = {case.said: case.index for case in tree.prepositions(place.index)}
+        joined = [child for child in tree.children(place.index) if child.deprel == "conj"]
+        if "between" in cases and joined:
+            border = [child.index for child in tree.children(joined[-1].index) if child.deprel == "cc"]
+            return (place.index, border[0], joined[-1].index, cases["between"]) if border else ()
+        if "from" not in cases:
+            continue
+        for other in tree.words[place.index :]:
+            border = [case.index for case in tree.prepositions(other.index) if case.said == "to"]
+            if other.deprel in ("obl", "nmod") and border and other.head in (place.head, place.index):
+                return place.index, border[0], other.index, cases["from"]
+    return ()
 
 
 def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:

@@ -28,7 +28,8 @@ class Joint:
         verb: of the deed behind "before" or "after", its position; 0 for other words
         number: a least or a largest number of times
         order: of two items of a list
-        items: positions of the first item, of the word between, and of the second item, if these words are the list
+        items: positions of the first item, of the word between, and of the second item, if these words are the list; of
+            the preposition of both, if the robot goes between them
         is_of_persons: whether they say what each of many persons does: "everybody *who comes in*"
     """
 

@@ -130,6 +130,12 @@ class LinkedClauses:
             found.append(Node(part, positions))
         return found or [node]
 
+    def again(self, node: Node) -> Node:
+        """Return a node that does the deed of another one once more."""
+        place = node.part.clause
+        clause = self._add(self.readings[place], self.positions[place], self.firsts[place])
+        return Node(replace(node.part, clause=clause), node.positions)
+
     def has_items(self, clause: int) -> bool:
         """Whether a clause has a list of things or places."""
         return has_items(self.readings[clause])

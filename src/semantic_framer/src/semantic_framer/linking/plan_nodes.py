@@ -10,7 +10,7 @@ from semantic_framer.values.clause_plan import PlanPart
 from typed_arguments import TimeExpression
 
 #: How the items of a list, or several deeds, are done.
-ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED)
+ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED, LinkKind.ALTERNATING)
 #: How often a deed is done.
 COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
 
@@ -116,6 +116,9 @@ class PlanNodes:
         Raises:
             NoStructure: there is only one deed, without a list
         """
+        times = nodes[0].part if len(nodes) == 1 and nodes[0].part.kind == "REPEAT" else None
+        if times is not None and kind is LinkKind.ALTERNATING:
+            nodes = [_with_part(nodes[0], times.children[0])]
         if len(nodes) == 1 and nodes[0].part.kind == "DO":
             nodes = self._table.items(nodes[0])
         elif len(nodes) == 1 and nodes[0].part.kind == "SEQUENCE":
@@ -126,11 +129,29 @@ class PlanNodes:
             raise NoStructure("an order of one deed")
         if kind is LinkKind.REVERSED:
             return self.sequence(nodes[::-1])
+        if kind is LinkKind.ALTERNATING:
+            return self._alternating(nodes, times.count if times is not None else 0)
         return self.several("ANY_ORDER", nodes)
+
+
+    def _alternating(self, nodes: List[Node], times: int) -> Node:
+        """Return deeds that are done in turn: without an end, or so many times each way."""
+        there = self.sequence(nodes)
+        if not times or len(nodes) > 2:
+            return _with_part(there, PlanPart("REPEAT", there.part.label, (there.part,), count=times, most=times))
+        back = self.sequence([nodes[1], self._table.again(nodes[0])])
+        again = PlanPart("REPEAT", there.part.label, (back.part,), count=times, most=times)
+        return self.several("SEQUENCE", [nodes[0], _with_part(there, again)])
+
+
+def _with_part(node: Node, part: PlanPart) -> Node:
+    return Node(part, node.positions)
 
 
 def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
     """Return a deed that is done so many times at least or at most, or again and again."""
+    if part.is_endless and joint.kind is LinkKind.FOREVER:
+        return part
     if part.kind in ("REPEAT", "UNTIL", "WHILE"):
         raise NoStructure("two ways to repeat")
     least = joint.number if joint.kind is LinkKind.AT_LEAST else 0

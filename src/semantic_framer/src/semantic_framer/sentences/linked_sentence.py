@@ -40,6 +40,7 @@ _MANNERS = (
     LinkKind.ANY_ORDER,
     LinkKind.IN_ORDER,
     LinkKind.REVERSED,
+    LinkKind.ALTERNATING,
     LinkKind.FOREVER,
     LinkKind.AT_A_TIME,
     LinkKind.AT_LEAST,
@@ -199,11 +200,15 @@ def _without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) ->
 
 
 def _with_lists(tree: DependencyTree, joints: Joints) -> DependencyTree:
-    """Make a list of two items whose order is said: "the office *after* the hall"."""
+    """Make a list of two items whose order is said, or between which the robot goes: "the office *after* the hall",
+    "*from* the office *to* the hall".
+    """
     edit = TreeEdit(tree)
     for joint in joints.found:
+        if joint.items and joint.kind is LinkKind.ALTERNATING:
+            edit.respell(joint.items[3], "to")
         if joint.items:
-            one, border, other = joint.items
+            one, border, other = joint.items[:3]
             edit.respell(border, "and")
             edit.retag(border, "CCONJ", "CC")
             edit.rehang(border, other, "cc")
