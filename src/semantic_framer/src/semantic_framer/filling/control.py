@@ -118,7 +118,7 @@ def with_duration(
 def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame) -> Reading:
     """Return a reading that says that the deed goes on: "*keep* saying hello".
 
-    "Keep going to the office" means to go on to the office, and "keep moving two metres" ends after two metres.
+    "Keep going to the office" means to go on to the office, "to the hall and the office" to go there again and again, and "keep moving two metres" ends after two metres.
     """
     before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
     if before is None or before.said not in _KEEPING or before.deprel != ASIDE:
@@ -130,10 +130,11 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
 
 
 def has_end(reading: Reading, frame: SemanticFrame) -> bool:
-    """Whether something says how far a deed goes: an amount, or a place to go to."""
+    """Whether something says how far a deed goes: an amount, or one place to go to."""
     said = [argument for argument in reading.arguments if argument.positions]
     return any(argument.measure is not None for argument in said) or (
-        frame.framenet == _GOING and any(argument.semantic_type == _PLACE for argument in said)
+        frame.framenet == _GOING
+        and any(argument.semantic_type == _PLACE and not argument.separate_members for argument in said)
     )
 
 

@@ -46,6 +46,7 @@ _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
 _HEDGES = word_class("hedges")
+_ORDER = word_class("adverbs_of_order")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -238,6 +239,7 @@ class _Check:
             self._is_of_argument,
             self._is_address,
             self._is_of_exclusion,
+            self._is_of_order,
             self._is_of_named_things,
         )
         return word.deprel == ABANDONED or any(judge(word) for judge in judges)
@@ -293,6 +295,14 @@ class _Check:
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
         is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
         return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
+
+    def _is_of_order(self, word: Word) -> bool:
+        """Whether a word puts a deed or a phrase behind the one before: "go to the hall, *next* greet Bob", "go to the
+        hall, *after that* to the office"."""
+        if word.index > word.head or word.head not in self._named:
+            return False
+        is_adverb = word.said in _ORDER and word.deprel == "advmod"
+        return is_adverb or (word.deprel == ASIDE and word.head in self._tree.sharing_a_verb)
 
     def _is_of_named_things(self, word: Word) -> bool:
         """Whether a word names things that are said one by one, too: "*two cups*, a red one and a blue one"."""

@@ -171,19 +171,27 @@ class _Finder:
             joint = self._said.joint(Link(times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self._said.forms[place:])
-        if link is not None and link.kind is LinkKind.ALTERNATING:
-            return self._alternating(link, place, length)
+        if link is not None and link.kind in (LinkKind.ALTERNATING, LinkKind.RETURNING):
+            return self._between(link, place, length)
         if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place + length)):
             return self._said.joint(link, place, place + length, length, None), place + length
         return None, 0
 
-    def _alternating(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
-        """Return words that say that the robot goes between two places, or several, again and again."""
-        items = ends_of_way(self._said.sentence.tree)
-        behind = self._said.forms[place + length : place + length + 1]
-        if not items or behind == ["to"]:
-            return None, 0  # "From the office to the hall *and back to* the office" says where to go then.
-        return replace(self._said.joint(link, place, place + length, length, None), items=items), place + length
+    def _between(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
+        """Return words that say that the robot goes between two places, or several: "back and forth", "and back"."""
+        words, tree = self._said.words, self._said.sentence.tree
+        items, end = ends_of_way(tree), place + length
+        if self._said.forms[end : end + 1] == ["to"]:
+            place_behind = tree.governor(words[end])
+            if items and place_behind.lemma == tree.word(items[0]).lemma:
+                end = next(at for at, word in enumerate(words) if word is place_behind) + 1
+            elif not items and words[place - 1].upos in NOUNS and place_behind.upos in NOUNS:
+                # "To the hall *and back* to the office": a list.
+                items = (words[place - 1].index, words[end].index, place_behind.index)
+                return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, end, length, None), items=items), end
+            else:
+                return None, 0
+        return (replace(self._said.joint(link, place, end, length, None), items=items), end) if items else (None, 0)
 
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""

@@ -65,6 +65,7 @@ class LinkKind(Enum):
     IN_ORDER = "in this order"  # in the order in which they are said
     REVERSED = "in reverse order"  # the last one first
     ALTERNATING = "back and forth"  # from the first to the last one and back, again and again
+    RETURNING = "and back"  # from the first to the last one and back
     FOREVER = "again and again"  # until something else ends it
     AT_A_TIME = "at a time"  # a part of it each time, again and again until something else ends it
     AT_LEAST = "at least"  # so many times or more

@@ -10,7 +10,9 @@ from semantic_framer.values.clause_plan import PlanPart
 from typed_arguments import TimeExpression
 
 #: How the items of a list, or several deeds, are done.
-ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED, LinkKind.ALTERNATING)
+ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED, LinkKind.ALTERNATING, LinkKind.RETURNING)
+#: How the robot goes between the items.
+_BETWEEN = (LinkKind.ALTERNATING, LinkKind.RETURNING)
 #: How often a deed is done.
 COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
 
@@ -117,7 +119,7 @@ class PlanNodes:
             NoStructure: there is only one deed, without a list
         """
         times = nodes[0].part if len(nodes) == 1 and nodes[0].part.kind == "REPEAT" else None
-        if times is not None and kind is LinkKind.ALTERNATING:
+        if times is not None and kind in _BETWEEN:
             nodes = [_with_part(nodes[0], times.children[0])]
         if len(nodes) == 1 and nodes[0].part.kind == "DO":
             nodes = self._table.items(nodes[0])
@@ -129,8 +131,9 @@ class PlanNodes:
             raise NoStructure("an order of one deed")
         if kind is LinkKind.REVERSED:
             return self.sequence(nodes[::-1])
-        if kind is LinkKind.ALTERNATING:
-            return self._alternating(nodes, times.count if times is not None else 0)
+        if kind in _BETWEEN:
+            count = times.count if times is not None else 0
+            return self._alternating(nodes, count or int(kind is LinkKind.RETURNING))
         return self.several("ANY_ORDER", nodes)
 
 
@@ -140,6 +143,8 @@ class PlanNodes:
         if not times or len(nodes) > 2:
             return _with_part(there, PlanPart("REPEAT", there.part.label, (there.part,), count=times, most=times))
         back = self.sequence([nodes[1], self._table.again(nodes[0])])
+        if times == 1:
+            return self.several("SEQUENCE", [nodes[0], back])
         again = PlanPart("REPEAT", there.part.label, (back.part,), count=times, most=times)
         return self.several("SEQUENCE", [nodes[0], _with_part(there, again)])
 

@@ -41,6 +41,7 @@ _MANNERS = (
     LinkKind.IN_ORDER,
     LinkKind.REVERSED,
     LinkKind.ALTERNATING,
+    LinkKind.RETURNING,
     LinkKind.FOREVER,
     LinkKind.AT_A_TIME,
     LinkKind.AT_LEAST,
@@ -205,7 +206,7 @@ def _with_lists(tree: DependencyTree, joints: Joints) -> DependencyTree:
     """
     edit = TreeEdit(tree)
     for joint in joints.found:
-        if joint.items and joint.kind is LinkKind.ALTERNATING:
+        if len(joint.items) > 3:
             edit.respell(joint.items[3], "to")
         if joint.items:
             one, border, other = joint.items[:3]
