@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.conditions import is_auxiliary
-from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at, ends_of_way
+from semantic_framer.linking.deed_orders import deed_behind, end_order, ends_of_way, first_order, item_order, times_at
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
@@ -12,10 +12,11 @@ from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.measures import find_amounts
-from utterance_passes.trees.tree import NOUNS
+from utterance_passes.trees.tree import NOUNS, VERBS
 from word_classes import word_class
 
 _BORDERS = word_class("clause_borders")
+_ENDS = word_class("first_of_all") | word_class("last_of_all")
 _TIMES = word_class("iteration_adverbs")
 _MANY = word_class("persons_among_many")
 
@@ -177,6 +178,10 @@ class _Finder:
             return self._said.joint(link, place, place + length, length, None), place + length
         return None, 0
 
+    def _verbs_before(self, place: int) -> FrozenSet[str]:
+        """Return the verbs before a place, in their base form."""
+        return frozenset(word.lemma.lower() for word in self._said.words[:place] if word.upos in VERBS)
+
     def _between(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
         """Return words that say that the robot goes between two places, or several: "back and forth", "and back"."""
         words, tree = self._said.words, self._said.sentence.tree
@@ -195,7 +200,14 @@ class _Finder:
 
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""
-        of_all = end_order(self._said.words, place, frozenset(word.lemma.lower() for word in self._said.words[:place]))
+        first = first_order(self._said.words, place)
+        if first is not None:
+            return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), order=first), place + 1
+        of_all = end_order(self._said.words, place, self._verbs_before(place))
+        if of_all is not None and of_all.length == 1:
+            end = next(at for at in range(place, len(self._said.words)) if self._said.words[at].said in _ENDS)
+            joint = self._said.joint(Link(LinkKind.IN_ORDER), end, end + 1, 1, None)
+            return replace(joint, order=of_all), end + 1
         if of_all is not None:
             link, behind = Link(LinkKind.IN_ORDER), place + of_all.length
             return replace(self._said.joint(link, place, behind, of_all.length, None), order=of_all), behind

@@ -99,8 +99,29 @@ def times_at(forms: Sequence[str]) -> Optional[Times]:
     return Times(link.kind, said[0], place + said[1]) if link is not None and said is not None else None
 
 
+def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
+    """Return which item is the first one, by the word behind it at a place: "the kitchen *first*, then the office".
+
+    Args:
+        words: of the sentence
+        place: where the word may be
+    """
+    item = words[place - 1] if place and words[place].said in _FIRST else None
+    behind = words[place + 1 :]
+    if item is None or item.upos not in NOUNS or not behind or behind[0].said not in _JOINING:
+        return None
+    if not any(one.deprel == "conj" and one.head == item.index for one in behind):
+        return None
+    start = place - 1
+    while start and words[start].upos in _CONTENT:
+        start -= 1
+    return ItemOrder(1, _content(words[start:place]), frozenset())
+
+
 def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:
     """Return which item is the first or the last one: ", the kitchen first", "and visit the office last".
+
+    An item that was not said before stays in the list: its order has the length 1, of the last word.
 
     Args:
         words: of the sentence
@@ -122,7 +143,8 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
         return None
     name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
     is_first = words[end].said in _FIRST
-    return ItemOrder(end + 1 - place, name if is_first else none, none if is_first else name) if name else None
+    length = end + 1 - place if name <= _content(words[:place]) else 1
+    return ItemOrder(length, name if is_first else none, none if is_first else name) if name else None
 
 
 def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:

@@ -217,12 +217,15 @@ class _Builder:
         """Read a deed with the links behind it."""
         unit = self._take()
         node = Node(part_of(self._table.readings[unit.clause][0], unit.clause), self._table.positions[unit.clause])
-        node = self._sorted(node)
+        listed = node
+        node = self._sorted(listed)
         while self._now is not None and self._now.is_link and self._is_behind():
             link = self._take()
             self._must_belong_to(unit, link)
-            if link.kind in ORDERS:
+            if link.kind in ORDERS and (node is listed or link.kind is not LinkKind.ANY_ORDER):
                 node = self._nodes.ordered(link.kind, [node])
+            elif link.kind in ORDERS:
+                continue  # "The hall first, then the others in any order": the order in which they were said is one.
             elif link.kind is LinkKind.AFTER:
                 node = self._nodes.sequence([self._next_deed(), node])
             elif self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
