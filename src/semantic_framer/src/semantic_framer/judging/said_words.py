@@ -294,7 +294,21 @@ class _Check:
         form = word.said
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
         is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
-        return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
+        if (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION):
+            return True
+        return word.deprel == ASIDE and word.index in self._around_avoided()
+
+    def _around_avoided(self) -> FrozenSet[int]:
+        """Return the positions of the words around a place to avoid: "*stay out of* the hall *at all times*"."""
+        words, found = self._tree.words, set()  # type: Sequence[Word], Set[int]
+        for border in (word for word in words if word.said == PREPOSITION and word.deprel == "case"):
+            inside = set(self._tree.subtree(border.head))
+            for step in (-1, 1):
+                index = border.index + step
+                while 0 < index <= len(words) and (words[index - 1].deprel == ASIDE or index in inside):
+                    found.add(index)
+                    index += step
+        return frozenset(found)
 
     def _is_of_order(self, word: Word) -> bool:
         """Whether a word puts a deed or a phrase behind the one before: "go to the hall, *next* greet Bob", "go to the
