@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.filling.extra_phrases import left_over_groups
-from semantic_framer.units.frame_roles import DIRECTION
+from semantic_framer.units.frame_roles import DIRECTION, GOAL
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
@@ -120,6 +120,9 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
 
     "Keep going to the office" means to go on to the office, "to the hall and the office" to go there again and again, and "keep moving two metres" ends after two metres.
     """
+    goal = reading.argument_in_role(GOAL, frame)
+    if goal is not None and goal.separate_members and sentence.word(clause.verb).said in _KEEPING:
+        return replace(reading, control=replace(reading.control, is_kept_up=not reading.control.is_said))
     before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
     if before is None or before.said not in _KEEPING or before.deprel != ASIDE:
         return reading
@@ -130,11 +133,10 @@ def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: Semanti
 
 
 def has_end(reading: Reading, frame: SemanticFrame) -> bool:
-    """Whether something says how far a deed goes: an amount, or one place to go to."""
+    """Whether something says how far a deed goes: an amount, or a place to go to."""
     said = [argument for argument in reading.arguments if argument.positions]
     return any(argument.measure is not None for argument in said) or (
-        frame.framenet == _GOING
-        and any(argument.semantic_type == _PLACE and not argument.separate_members for argument in said)
+        frame.framenet == _GOING and any(argument.semantic_type == _PLACE for argument in said)
     )
 
 

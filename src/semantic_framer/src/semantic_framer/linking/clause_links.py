@@ -239,7 +239,7 @@ class _Finder:
         if kind is not LinkKind.MEANWHILE and is_front != (kind is LinkKind.BEFORE):
             kind = LinkKind.THEN  # The deeds are said in the order in which they are done.
         joint = self._said.joint(Link(kind), place, place + deed.length, deed.length, None)
-        return replace(joint, verb=deed.verb), place + deed.length
+        return replace(joint, verb=deed.verb, is_kept_out=deed.is_kept_out), place + deed.length
 
     def _joiner(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a joiner that stands before a deed: "otherwise wait", "first go to the kitchen"."""

@@ -6,19 +6,25 @@
 
 from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 
-from semantic_framer.linking.link_file import LinkKind, shipped_links
+from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.iterations import times_said
 from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 from word_classes import word_class
 
 _HEARERS = word_class("hearers")
-_HAVE = word_class("forms_of_have") | {"having"}
+_HAVE = word_class("forms_of_have") | {"having", "'ve"}
 _NEGATIONS = word_class("negations")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
 _JOINING = word_class("clause_borders") | {","}
 _BEING_THERE = word_class("verbs_of_being_there")
+_DOING = word_class("forms_of_do")
+_ENTERING = word_class("verbs_of_going") | word_class("verbs_of_arriving")
+_AVOIDING, _STAYING = word_class("verbs_of_avoiding"), word_class("verbs_of_staying")
+_UNTIL = frozenset(["until", "till", "til", "before"])
+#: Where the other deed leads.
+_THERE = frozenset(["it", "there"])
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
@@ -33,11 +39,14 @@ class DeedBehind(NamedTuple):
         kind: BEFORE, AFTER or MEANWHILE
         length: number of the words: "before", "before you", "after having"
         verb: position of the verb of the deed in the sentence
+        is_kept_out: whether the robot keeps out of where the other deed leads until then: ", but do not enter it before
+            you have been to"
     """
 
     kind: LinkKind
     length: int
     verb: int
+    is_kept_out: bool = False
 
 
 class Times(NamedTuple):
@@ -76,6 +85,11 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
         known: lexical units; the deed must begin with one of their verbs
     """
     link, place = shipped_links().deed_link_at(forms)
+    is_kept_out = False
+    if link is None:
+        link, place, is_kept_out = _prohibition_at(words, forms)
+    if link is None and forms[0] == "having":
+        link = Link(LinkKind.AFTER)  # "*Having* closed the door, go to the hall."
     if link is None:
         return None
     tags: FrozenSet[str] = frozenset(["VBG"])
@@ -86,10 +100,46 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
     if place >= len(words) or words[place].xpos not in tags:
         return None
     verb = words[place]
+    if verb.deprel == "cop" and list(forms[place + 1 : place + 2]) == ["to"]:
+        return DeedBehind(link.kind, place, verb.index, is_kept_out)  # "After you have *been to* the hall."
     spoken = {verb.lemma.lower(), " ".join([verb.lemma, *forms[place + 1 : place + 2]]).lower()}
     if link.kind is LinkKind.BEFORE and spoken & _BEING_THERE:
         return None  # "Turn left before you reach the stairs" does not send the robot there.
-    return DeedBehind(link.kind, place, verb.index) if known.verbs_beginning_with(verb.lemma.lower()) else None
+    return DeedBehind(link.kind, place, verb.index, is_kept_out) if known.verbs_beginning_with(verb.lemma.lower()) else None
+
+
+def _prohibition_at(words: Sequence[Word], forms: Sequence[str]) -> Tuple[Optional[Link], int, bool]:
+    """Return the words that forbid a deed until another one is done: ", but not until", ", but do not enter it before".
+
+    Returns:
+        AFTER, the number of the words, and whether a place must not be entered; None, 0 and False for other words
+    """
+    place = 0
+    while place < len(forms) and forms[place] in _JOINING:
+        place += 1
+    length = _length_of_prohibition(words[place:], forms[place:]) if place else 0
+    is_kept_out = length > 1
+    place += length
+    if not length or list(forms[place : place + 1]) == [] or forms[place] not in _UNTIL:
+        return None, 0, False
+    return Link(LinkKind.AFTER), place + 1, is_kept_out
+
+
+def _length_of_prohibition(words: Sequence[Word], forms: Sequence[str]) -> int:
+    """Return the number of words that begin with "not", "do not enter it", "avoid it", "stay out of it"; 0 for none."""
+    place = 0
+    while forms[place : place + 1] and forms[place] in _NEGATIONS | _DOING:
+        place += 1
+    is_denied = any(form in _NEGATIONS for form in forms[:place])
+    lemma = words[place].lemma.lower() if place < len(words) else ""
+    if is_denied and lemma not in _ENTERING:
+        return place if place == 1 else 0
+    if is_denied == (lemma in _AVOIDING | _STAYING):
+        return 0
+    place += 1
+    while forms[place : place + 1] and words[place].upos == "ADP":
+        place += 1
+    return place + 1 if forms[place : place + 1] and forms[place] in _THERE else 0
 
 
 def times_at(forms: Sequence[str]) -> Optional[Times]:

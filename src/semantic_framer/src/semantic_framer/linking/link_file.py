@@ -64,6 +64,7 @@ class LinkKind(Enum):
     ANY_ORDER = "in any order"  # a list, or deeds, in any order
     IN_ORDER = "in this order"  # in the order in which they are said
     REVERSED = "in reverse order"  # the last one first
+    BEFORE_THAT = "before that"  # the last deed comes before the one before it
     ALTERNATING = "back and forth"  # from the first to the last one and back, again and again
     RETURNING = "and back"  # from the first to the last one and back
     FOREVER = "again and again"  # until something else ends it

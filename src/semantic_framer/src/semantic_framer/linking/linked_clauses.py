@@ -6,15 +6,17 @@ from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 from semantic_framer.filling.control import going_on, has_end
 from semantic_framer.linking.item_lists import has_items, items_apart
 from semantic_framer.linking.link_file import LinkKind
-from semantic_framer.units.frame_roles import STOPPING
+from semantic_framer.units.frame_roles import GOAL, STOPPING
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.values.clause_plan import PlanPart
+from semantic_framer.values.clause_plan import PlanPart, leaves_of
 from semantic_framer.values.condition_part import ConditionPart, happens
-from semantic_framer.values.reading import Reading
+from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause
 from word_classes import word_class
 
+#: The element of a place to keep out of.
+AVOIDED = "avoided"
 _CONTINUING = word_class("continuing_verbs")
 #: Words between two deeds that belong to neither.
 JOINING = word_class("linking_conjunctions") | {";"}
@@ -135,6 +137,21 @@ class LinkedClauses:
         place = node.part.clause
         clause = self._add(self.readings[place], self.positions[place], self.firsts[place])
         return Node(replace(node.part, clause=clause), node.positions)
+
+    def keep_out(self, node: Node, of: Node) -> None:
+        """Let the robot keep out of where a deed leads while it does another one.
+
+        Raises:
+            NoStructure: no server could keep out of it
+        """
+        frames, place = self._known.frames, node.part.clause
+        best = [self.readings[part.clause][0] for part in leaves_of(of.part)]
+        goals = [reading.argument_in_role(GOAL, frames[reading.unit.frame_name]) for reading in best]
+        able = [reading for reading in self.readings[place] if frames[reading.unit.frame_name].element(AVOIDED)]
+        if len(goals) != 1 or goals[0] is None or goals[0].members or not able:
+            raise NoStructure("what the robot cannot keep out of")
+        avoided = replace(goals[0], name=AVOIDED)
+        self.readings[place] = tuple(with_argument(reading, avoided) for reading in able)
 
     def has_items(self, clause: int) -> bool:
         """Whether a clause has a list of things or places."""

@@ -130,7 +130,10 @@ class _Builder:
     def build(self) -> Tuple[Clauses, PlanPart]:
         nodes: List[Node] = []
         while self._place < len(self._units):
-            if nodes and self._now is not None and self._now.kind in ORDERS:
+            if len(nodes) > 1 and self._is_now(LinkKind.BEFORE_THAT):
+                self._take()
+                nodes[-2:] = [self._nodes.sequence(nodes[:-3:-1])]
+            elif nodes and self._now is not None and self._now.kind in ORDERS:
                 nodes = [self._nodes.ordered(self._take().kind, nodes)]
             else:
                 nodes.append(self._statement())
@@ -227,7 +230,10 @@ class _Builder:
             elif link.kind in ORDERS:
                 continue  # "The hall first, then the others in any order": the order in which they were said is one.
             elif link.kind is LinkKind.AFTER:
-                node = self._nodes.sequence([self._next_deed(), node])
+                first = self._next_deed()
+                if link.joint is not None and link.joint.is_kept_out:
+                    self._table.keep_out(first, node)
+                node = self._nodes.sequence([first, node])
             elif self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
                 node = self._joined(link, [node], self._otherwise(link))
             else:
@@ -272,7 +278,7 @@ class _Builder:
         link = self._units[self._place]
         following = self._units[self._place + 1] if self._place + 1 < len(self._units) else None
         is_last = following is None or following.begins_sentence or following.kind in _JOINERS
-        if link.begins_sentence:
+        if link.begins_sentence or link.kind is LinkKind.BEFORE_THAT:
             return False
         if link.kind in ORDERS:
             before = self._units[self._place - 1]

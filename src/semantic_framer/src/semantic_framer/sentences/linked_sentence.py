@@ -57,6 +57,7 @@ _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
 #: Relations of a verb that depends on the one before it.
+_OF_TIMES = frozenset(["advmod", "obl:unmarked"])
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
 
@@ -225,12 +226,21 @@ def _with_deeds_apart(tree: DependencyTree, joints: Joints) -> DependencyTree:
     for word in tree.words:
         if word.index in deeds:
             # "After *closing* the door" and "before you *close* it" command what "close it" commands.
+            lemma = "go" if word.deprel == "cop" else word.lemma.lower()
+            if word.deprel == "cop":
+                # "After you have *been* to the hall": the place is the head.
+                edit.rehang(word.index, tree.governor(word).head, "parataxis")
+                edit.rehang(word.head, word.index, "obl")
             edit.retag(word.index, "VERB", "VB")
-            edit.respell(word.index, word.lemma.lower(), word.lemma.lower())
+            edit.respell(word.index, lemma, lemma)
+            is_behind = word.head < word.index and word.deprel != "cop"
+            for other in tree.children(word.head) if is_behind else ():
+                if other.index > word.index and other.deprel in _OF_TIMES:
+                    edit.rehang(other.index, word.index)  # "Go to the hall after visiting the office *twice*."
         if word.index in joining or word.upos != "VERB" or word.deprel not in _DEPENDENT:
             continue
         marks = [child for child in tree.children(word.index) if child.index in joining and child.deprel == "mark"]
-        if marks or word.head in joining:
+        if marks or word.head in joining or word.index in deeds:
             edit.relabel(word.index, "parataxis")
     return edit.tree()
 
