@@ -39,7 +39,7 @@ _AUXILIARIES = (
 )
 _CROSSING = word_class("prepositions_of_crossing")
 _DIRECTIONS = word_class("all_directions")
-_EACH = "each"
+_EACH, _BOTH = "each", "both"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
@@ -149,7 +149,10 @@ class _Check:
         found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
-        return found + [word for word in words if word.said == _EACH]
+        parts = [part for argument in self._arguments for part in (argument, *argument.members)]
+        pairs = [part for part in parts if part.lemma == _BOTH and not part.referents]
+        words += [self._tree.word(index) for part in pairs for index in part.positions]
+        return found + [word for word in words if word.said in (_EACH, _BOTH)]
 
     def _denies(self, word: Word) -> bool:
         """Whether a word denies the noun on which it hangs, and no clause; an order of deeds is read elsewhere."""

@@ -4,7 +4,15 @@ from dataclasses import replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.conditions import is_auxiliary
-from semantic_framer.linking.deed_orders import deed_behind, end_order, ends_of_way, first_order, item_order, times_at
+from semantic_framer.linking.deed_orders import (
+    deed_behind,
+    end_order,
+    ends_of_way,
+    first_order,
+    is_last_of_deed,
+    item_order,
+    times_at,
+)
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
@@ -203,6 +211,8 @@ class _Finder:
         first = first_order(self._said.words, place)
         if first is not None:
             return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), order=first), place + 1
+        if is_last_of_deed(self._said.words, place):
+            return self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), place + 1
         of_all = end_order(self._said.words, place, self._verbs_before(place))
         if of_all is not None and of_all.length == 1:
             end = next(at for at in range(place, len(self._said.words)) if self._said.words[at].said in _ENDS)

@@ -15,8 +15,10 @@ from word_classes import word_class
 _HEARERS = word_class("hearers")
 _HAVE = word_class("forms_of_have") | {"having", "'ve"}
 _NEGATIONS = word_class("negations")
+_ALL = word_class("determiners_of_all")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
+_MARKS = frozenset([",", ".", "!", "?", ";"])
 _JOINING = word_class("clause_borders") | {","}
 _BEING_THERE = word_class("verbs_of_being_there")
 _DOING = word_class("forms_of_do")
@@ -117,7 +119,7 @@ def _prohibition_at(words: Sequence[Word], forms: Sequence[str]) -> Tuple[Option
     place = 0
     while place < len(forms) and forms[place] in _JOINING:
         place += 1
-    length = _length_of_prohibition(words[place:], forms[place:]) if place else 0
+    length = _length_of_prohibition(words[place:], forms[place:]) if place or words[0].index == 1 else 0
     is_kept_out = length > 1
     place += length
     if not length or list(forms[place : place + 1]) == [] or forms[place] not in _UNTIL:
@@ -139,14 +141,40 @@ def _length_of_prohibition(words: Sequence[Word], forms: Sequence[str]) -> int:
     place += 1
     while forms[place : place + 1] and words[place].upos == "ADP":
         place += 1
-    return place + 1 if forms[place : place + 1] and forms[place] in _THERE else 0
+    if forms[place : place + 1] and forms[place] in _THERE:
+        return place + 1
+    phrase = _phrase(words, place)
+    is_named = phrase and _content(words[place : place + phrase]) <= _content(words[place + phrase :])
+    return place + phrase if is_named else 0
 
 
 def times_at(forms: Sequence[str]) -> Optional[Times]:
-    """Return the least or the largest number of times that words in lower case begin with: "at least twice"."""
-    link, place = shipped_links().count_at(forms)
-    said = times_said(forms[place:]) if link is not None else None
-    return Times(link.kind, said[0], place + said[1]) if link is not None and said is not None else None
+    """Return the least or the largest number of times that words in lower case begin with: "at least twice", "three
+    times at most", "two or more times", "only once", "once or twice"."""
+    links = shipped_links()
+    link, place = links.count_at(forms)
+    if link is not None:
+        said = times_said(forms[place:])
+        return Times(link.kind, said[0], place + said[1]) if said is not None else None
+    start = int(list(forms[:1]) == ["but"])
+    if forms[start : start + 1] and forms[start] in _ONLY:
+        said = times_said(forms[start + 1 :])
+        end = start + 1 + said[1] if said is not None else 0
+        is_last = said is not None and (end == len(forms) or forms[end] in _MARKS)
+        return Times(LinkKind.AT_MOST, said[0], end) if said is not None and is_last else None
+    bound, length = links.choice_at(forms[1:])
+    said = times_said([*forms[:1], *forms[1 + length :]]) if bound is not None else None
+    if said is not None and said[1] == 2:
+        return Times(bound.kind, said[0], said[1] + length) if bound is not None else None
+    said = times_said(forms)
+    behind = forms[said[1] :] if said is not None else ()
+    for bound, length in (links.choice_at(behind), links.count_at(behind)):
+        if said is not None and bound is not None:
+            return Times(bound.kind, said[0], said[1] + length)
+    other = times_said(behind[1:]) if list(behind[:1]) == ["or"] else None
+    if said is not None and other is not None and other[0] > said[0]:
+        return Times(LinkKind.AT_MOST, other[0], said[1] + 1 + other[1])
+    return None
 
 
 def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
@@ -166,6 +194,14 @@ def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     while start and words[start].upos in _CONTENT:
         start -= 1
     return ItemOrder(1, _content(words[start:place]), frozenset())
+
+
+def is_last_of_deed(words: Sequence[Word], place: int) -> bool:
+    """Whether a word at a place says that the last deed is the last one: "but go to the office *last*"."""
+    word = words[place]
+    verbs = [one for one in words[:place] if one.upos == "VERB"]
+    is_end = all(one.upos == "PUNCT" for one in words[place + 1 :])
+    return is_end and word.said in _LAST and len(verbs) > 1 and word.deprel == "advmod" and word.head == verbs[-1].index
 
 
 def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:
@@ -193,7 +229,11 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
         return None
     name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
     is_first = words[end].said in _FIRST
-    length = end + 1 - place if name <= _content(words[:place]) else 1
+    is_said = name <= _content(words[:place])
+    is_joined = words[start - 1].upos == "CCONJ" and not any(word.said in _ALL for word in words[:place])
+    if not is_said and not is_joined:
+        return None  # "Visit every room, the kitchen first": it is no further room.
+    length = end + 1 - place if is_said else 1
     return ItemOrder(length, name if is_first else none, none if is_first else name) if name else None
 
 

@@ -6,7 +6,7 @@ from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 from semantic_framer.filling.control import going_on, has_end
 from semantic_framer.linking.item_lists import has_items, items_apart
 from semantic_framer.linking.link_file import LinkKind
-from semantic_framer.units.frame_roles import GOAL, STOPPING
+from semantic_framer.units.frame_roles import GOAL, PATROLLING, STOPPING
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.clause_plan import PlanPart, leaves_of
 from semantic_framer.values.condition_part import ConditionPart, happens
@@ -137,6 +137,10 @@ class LinkedClauses:
         place = node.part.clause
         clause = self._add(self.readings[place], self.positions[place], self.firsts[place])
         return Node(replace(node.part, clause=clause), node.positions)
+
+    def is_endless(self, clause: int) -> bool:
+        """Whether a clause goes on until something ends it: "patrol the hall"."""
+        return self._known.frames[self.readings[clause][0].unit.frame_name].framenet == PATROLLING
 
     def keep_out(self, node: Node, of: Node) -> None:
         """Let the robot keep out of where a deed leads while it does another one.

@@ -32,7 +32,7 @@ _BEGINNING = (
     LinkKind.AFTER,
 )
 #: Words that are no unit of their own.
-_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER)
+_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER, LinkKind.EXACTLY)
 
 
 @dataclass(frozen=True)
@@ -104,6 +104,8 @@ class _Builder:
         if LinkKind.AT_A_TIME in kinds and not kinds & {LinkKind.UNTIL, LinkKind.WHILE}:
             raise Open('How often? Say it with "until", for instance: "until the table is empty".')
         self._orders: List[ItemOrder] = [joint.order for joint in joints if joint.order is not None]
+        #: Prohibitions before the deed that ends them.
+        self._fronts = [joint for joint in joints if joint.is_kept_out and joint.kind is LinkKind.THEN]
         self._table = LinkedClauses(sentence, known, deeds)
         self._nodes = PlanNodes(self._table)
         self._units = self._in_order(joints)
@@ -133,18 +135,31 @@ class _Builder:
             if len(nodes) > 1 and self._is_now(LinkKind.BEFORE_THAT):
                 self._take()
                 nodes[-2:] = [self._nodes.sequence(nodes[:-3:-1])]
+            elif nodes and self._is_now(LinkKind.ROUND):
+                self._take()
+                nodes = [self._nodes.again_and_again(nodes)]
             elif nodes and self._now is not None and self._now.kind in ORDERS:
                 nodes = [self._nodes.ordered(self._take().kind, nodes)]
             else:
                 nodes.append(self._statement())
         if self._orders:
             raise NoStructure("an order of what is in no list")
+        self._keep_out(nodes)
         try:
             plan = with_orders_at_the_root(self._nodes.sequence(nodes).part)
         except NotAlone as words:
             raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
         order = sorted(range(len(self._table.readings)), key=lambda place: self._table.firsts[place])
         return tuple(self._table.readings[place] for place in order), _with_places(plan, order)
+
+    def _keep_out(self, nodes: Sequence[Node]) -> None:
+        """Let the robot keep out of where a deed leads before it: "*do not enter the hall until you have* visited ..."."""
+        for first, then in zip(nodes, nodes[1:]):
+            if any(joint.is_kept_out and joint.verb in first.positions for joint in self._fronts):
+                self._table.keep_out(first, then)
+                return
+        if self._fronts:
+            raise NoStructure("what the robot cannot keep out of")
 
     @property
     def _now(self) -> Optional[_Unit]:
@@ -278,7 +293,7 @@ class _Builder:
         link = self._units[self._place]
         following = self._units[self._place + 1] if self._place + 1 < len(self._units) else None
         is_last = following is None or following.begins_sentence or following.kind in _JOINERS
-        if link.begins_sentence or link.kind is LinkKind.BEFORE_THAT:
+        if link.begins_sentence or link.kind in (LinkKind.BEFORE_THAT, LinkKind.ROUND):
             return False
         if link.kind in ORDERS:
             before = self._units[self._place - 1]

@@ -127,6 +127,8 @@ class PlanNodes:
             nodes = [Node(part, nodes[0].positions) for part in nodes[0].part.children]
         if len(nodes) == 1 and kind is LinkKind.ANY_ORDER and self._table.is_of_all(nodes[0].part.clause):
             return nodes[0]  # The server that visits all rooms chooses the order itself.
+        if len(nodes) == 1 and kind is LinkKind.ALTERNATING and self._table.is_endless(nodes[0].part.clause):
+            return nodes[0]  # "Patrol back and forth between ...".
         if len(nodes) < 2:
             raise NoStructure("an order of one deed")
         if kind is LinkKind.REVERSED:
@@ -136,6 +138,14 @@ class PlanNodes:
             return self._alternating(nodes, count or int(kind is LinkKind.RETURNING))
         return self.several("ANY_ORDER", nodes)
 
+
+    def again_and_again(self, nodes: List[Node]) -> Node:
+        """Return all deeds, done again and again: "go to the hall, then to the office, *and so on*"."""
+        all_of_them = self.sequence(nodes)
+        part = all_of_them.part
+        if part.kind in ("UNTIL", "WHILE") or (part.kind == "REPEAT" and not part.is_endless):
+            raise NoStructure("two ways to repeat")
+        return _with_part(all_of_them, part if part.is_endless else PlanPart("REPEAT", part.label, (part,)))
 
     def _alternating(self, nodes: List[Node], times: int) -> Node:
         """Return deeds that are done in turn: without an end, or so many times each way."""

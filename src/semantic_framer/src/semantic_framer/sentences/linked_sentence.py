@@ -39,6 +39,9 @@ _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_
 _MANNERS = (
     LinkKind.ANY_ORDER,
     LinkKind.IN_ORDER,
+    LinkKind.EXACTLY,
+    LinkKind.BEFORE_THAT,
+    LinkKind.ROUND,
     LinkKind.REVERSED,
     LinkKind.ALTERNATING,
     LinkKind.RETURNING,

@@ -14,6 +14,7 @@ _ARRIVING = word_class("verbs_of_arriving")
 _AVOIDING = word_class("verbs_of_avoiding")
 _CROSSING = word_class("prepositions_of_crossing")
 _GOING = word_class("verbs_of_going")
+_ENTERING = _GOING | _ARRIVING | {"use"}
 _NOT = word_class("not")
 _OF_DEEDS = frozenset(["advcl", "xcomp", "conj", "parataxis", "acl", "dep"])
 _WAY = frozenset(["way", "route"])
@@ -71,7 +72,8 @@ def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
         return (places[0], word.index) if len(places) == 1 and is_plain else None
     if lemma in _STAYING and word.deprel in _OF_DEEDS:
         return _stayed_out_of(tree, word)
-    if lemma in _GOING | _ARRIVING and word.deprel in _OF_DEEDS and any(child.said in _NEVER for child in children):
+    is_denied = any(child.said in _NEVER for child in children)
+    if lemma in _ENTERING and word.deprel in _OF_DEEDS and is_denied:
         places = [child for child in children if child.deprel in ("obl", "obj") and child.upos in NOUNS]
         others = [child for child in children if child not in places and child.said not in _NEVER]
         is_plain = all(child.deprel == "aux" or _is_beside(tree, child) for child in others)
