@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.filling.extra_phrases import left_over_groups
-from semantic_framer.units.frame_roles import DIRECTION, GOAL
+from semantic_framer.units.frame_roles import DIRECTION, GOAL, PATROLLING
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
@@ -48,6 +48,8 @@ def with_times(
         of which nobody said how far it goes: "spin around once"
     """
     found = []
+    if frame.framenet == PATROLLING:
+        return reading, frozenset()  # It ends when something ends it, and never a second time.
     for root in left_over_groups(sentence, clause, reading.left_over):
         words = sentence.subtree(root) & clause.positions
         times = _times(sentence, root, words)

@@ -39,7 +39,7 @@ _AUXILIARIES = (
 )
 _CROSSING = word_class("prepositions_of_crossing")
 _DIRECTIONS = word_class("all_directions")
-_EACH, _BOTH = "each", "both"
+_EACH, _BOTH, _THEY = "each", "both", "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
@@ -149,10 +149,11 @@ class _Check:
         found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
-        parts = [part for argument in self._arguments for part in (argument, *argument.members)]
-        pairs = [part for part in parts if part.lemma == _BOTH and not part.referents]
-        words += [self._tree.word(index) for part in pairs for index in part.positions]
-        return found + [word for word in words if word.said in (_EACH, _BOTH)]
+        # "Visit the hall and the office, and after *both of them* the kitchen."
+        members = [member for argument in self._arguments for member in argument.members if member.lemma == _THEY]
+        pairs = [argument for argument in self._arguments if argument.lemma == _BOTH] + members
+        found += [self._tree.word(index) for pair in pairs if not pair.referents for index in pair.positions]
+        return found + [word for word in words if word.said == _EACH]
 
     def _denies(self, word: Word) -> bool:
         """Whether a word denies the noun on which it hangs, and no clause; an order of deeds is read elsewhere."""

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
+from semantic_framer.clauses.event_conditions import CONDITION_OF_DEED
 from semantic_framer.filling.control import going_on, has_end
 from semantic_framer.linking.item_lists import has_items, items_apart
 from semantic_framer.linking.link_file import LinkKind
@@ -169,6 +170,10 @@ class LinkedClauses:
     def happens(self, condition: ConditionPart) -> bool:
         """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
         return happens(condition, self._sentence.tree, self._known.frames)
+
+    def is_own_deed(self, condition: ConditionPart) -> bool:
+        """Whether a condition is that the robot has done something."""
+        return condition.reading is not None and condition.reading.unit.frame_name == CONDITION_OF_DEED
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

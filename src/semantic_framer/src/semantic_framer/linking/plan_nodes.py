@@ -5,7 +5,7 @@ from typing import List, Optional, Sequence
 
 from semantic_framer.linking.joints import Joint
 from semantic_framer.linking.link_file import LinkKind
-from semantic_framer.linking.linked_clauses import LinkedClauses, Node, NoStructure
+from semantic_framer.linking.linked_clauses import LinkedClauses, Node, NoStructure, Open
 from semantic_framer.values.clause_plan import PlanPart
 from typed_arguments import TimeExpression
 
@@ -66,6 +66,10 @@ class PlanNodes:
             joint = replace(joint, kind=LinkKind.WHEN) if is_stop or self._table.happens(said) else joint
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
+        if joint.kind is LinkKind.WHEN and joint.first == 1 and self._table.is_own_deed(said):
+            # "Once you have visited the hall, go to the office": nobody told the robot to visit the hall.
+            words = self._table.label(said.positions)
+            raise Open(f'Should I do this first, or wait for it: "{words}"? Say "first ..." or "wait until ...".')
         is_opposite = joint.kind is LinkKind.UNLESS
         condition = self._table.condition(said, is_opposite, joint.kind)
         if joint.kind in (LinkKind.IF, LinkKind.UNLESS):

@@ -79,6 +79,9 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
         opening = [tree.word(index) for index in range(first - length, first)]
         while length and opening[0].index > 1 and tree.word(opening[0].index - 1).said in _JOINING:
             opening.insert(0, tree.word(opening[0].index - 1))
+        if len(opening) == 1 and _is_behind_source(tree, opening[0]):
+            edit.rehang(opening[0].index, word.index, ASIDE)  # "From the hall *back* to the office."
+            continue
         verb = tree.verb_above(word) if opening else word
         # "Go to the hall *and back to* the office twice" is one way.
         joining = {"then"} if any(one.said == "back" for one in opening) else _JOINING
@@ -91,6 +94,11 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
         if word.deprel != "conj" or word.head != verb.index:
             edit.rehang(word.index, verb.index, "conj")
     return edit.tree()
+
+
+def _is_behind_source(tree: DependencyTree, word: Word) -> bool:
+    before = tree.word(word.index - 1) if word.index > 1 else word
+    return before.upos in NOUNS and any(case.said == "from" for case in tree.prepositions(before.index))
 
 
 def _is_said_before(tree: DependencyTree, words: Tuple[str, ...], place: int) -> bool:
