@@ -231,7 +231,7 @@ class _Finder:
         # The items of a new list stay in the sentence.
         last = max(at for at in range(place, order.border) if self._said.words[at].upos in NOUNS)
         between = frozenset(word.index for word in self._said.words[last + 1 : order.border])
-        items = (self._said.words[last].index, self._said.words[order.border].index, self._said.words[end - 1].index)
+        items = (self._said.words[last].index, self._said.words[order.border].index, self._said.words[order.second].index)
         return replace(joint, positions=between, first=items[1], order=order, items=items), end
 
     def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:

@@ -19,6 +19,7 @@ _ALL = word_class("determiners_of_all")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
 _MARKS = frozenset([",", ".", "!", "?", ";"])
+_LISTING = frozenset([",", "and"])
 _JOINING = word_class("clause_borders") | {","}
 _BEING_THERE = word_class("verbs_of_being_there")
 _DOING = word_class("forms_of_do")
@@ -68,6 +69,8 @@ class ItemOrder(NamedTuple):
         is_list: whether these words are the list: "the office only after the hall"; else the items were said before
         is_doubtful: whether they may say where a thing is: "the room before the office"
         border: place of "before" or "after" among the words; only for a new list
+        second: place of the noun of the second item
+        more: the earlier and the later item of further pairs: "the office only after the hall *and the yard*"
     """
 
     length: int
@@ -76,6 +79,8 @@ class ItemOrder(NamedTuple):
     is_list: bool = False
     is_doubtful: bool = False
     border: int = 0
+    second: int = 0
+    more: Tuple[Tuple[FrozenSet[str], FrozenSet[str]], ...] = ()
 
 
 def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexicon) -> Optional[DeedBehind]:
@@ -259,19 +264,39 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     if link is None or link.kind is LinkKind.MEANWHILE or not other:
         return None
     end = border + length + other
+    noun = end - 1
+    more = _further_items(words, end)
+    end += sum(length for _, length in more)
     if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].said not in _JOINING:
         return None
-    first, second = _content(words[start : start + one]), _content(words[end - other : end])
+    first, second = _content(words[start : start + one]), _content(words[noun + 1 - other : noun + 1])
     if not first or not second or first == second:
         return None
     is_before = link.kind is LinkKind.BEFORE
-    earlier, later = (first, second) if is_before != (is_denied or is_not) else (second, first)
+    items = [second, *(item for item, _ in more)]
+    is_first = is_before != (is_denied or is_not)
+    pairs = [(first, item) if is_first else (item, first) for item in items]
     said = _content(words[:place])
-    if start > place and first <= said and second <= said:
-        return ItemOrder(end - place, earlier, later)
+    (earlier, later), others = pairs[0], tuple(pairs[1:])
+    if start > place and all(item <= said for pair in pairs for item in pair):
+        return ItemOrder(end - place, earlier, later, more=others)
     if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
         return None
-    return ItemOrder(end - place, earlier, later, True, not is_not and (is_before or not is_only), border)
+    is_doubtful = not is_not and (is_before or not is_only)
+    return ItemOrder(end - place, earlier, later, True, is_doubtful, border, noun, others)
+
+
+def _further_items(words: Sequence[Word], place: int) -> List[Tuple[FrozenSet[str], int]]:
+    """Return the items of a list behind its first one: the content words of each, and the number of words up to its
+    end."""
+    start = place
+    while start < len(words) and words[start].said in _LISTING:
+        start += 1
+    length = _phrase(words, start) if start > place else 0
+    if not length:
+        return []
+    end = start + length
+    return [(_content(words[start:end]), end - place), *_further_items(words, end)]
 
 
 def ends_of_way(tree: DependencyTree) -> Tuple[int, ...]:
@@ -341,14 +366,12 @@ def sorted_by(names: Sequence[FrozenSet[str]], orders: Sequence[ItemOrder]) -> O
     done: List[int] = []
     pairs = []
     for order in orders:
-        pair = [
-            [place for place, name in enumerate(names) if item and item <= name]
-            for item in (order.earlier, order.later)
-        ]
-        if any(item and len(found) != 1 for found, item in zip(pair, (order.earlier, order.later))):
-            return None
-        earlier, later = (found or [place for place in left if place not in pair[0] + pair[1]] for found in pair)
-        pairs += [(one, other) for one in earlier for other in later]
+        for both in ((order.earlier, order.later), *order.more):
+            pair = [[place for place, name in enumerate(names) if item and item <= name] for item in both]
+            if any(item and len(found) != 1 for found, item in zip(pair, both)):
+                return None
+            earlier, later = (found or [place for place in left if place not in pair[0] + pair[1]] for found in pair)
+            pairs += [(one, other) for one in earlier for other in later]
     while left:
         free = [place for place in left if not any(later == place and earlier in left for earlier, later in pairs)]
         if not free:
