@@ -14,7 +14,7 @@ def main() -> None:
     pretend_servers(knowledge.graph)
     pipeline = Pipeline(knowledge)
     words = " ".join(sys.argv[1:])
-    counts: "Counter[str]" = Counter()
+    counts: Counter[str] = Counter()
     for row in rows():
         if words not in row.sentence:
             continue

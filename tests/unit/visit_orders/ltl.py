@@ -66,9 +66,7 @@ class _Parser:
     def _conjunction(self) -> List[bool]:
         return self._chain("&", self._until, lambda one, other: one and other)
 
-    def _chain(
-        self, sign: str, part: Callable[[], List[bool]], join: Callable[[bool, bool], bool]
-    ) -> List[bool]:
+    def _chain(self, sign: str, part: Callable[[], List[bool]], join: Callable[[bool, bool], bool]) -> List[bool]:
         truth = part()
         while self._takes(sign):
             truth = [join(one, other) for one, other in zip(truth, part())]

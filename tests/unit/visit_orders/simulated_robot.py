@@ -1,7 +1,7 @@
 """A robot that carries out plans of visits in a home, and makes its way as badly as the plan allows.
 
-The hall lies in the middle, with a door to every other room; these lie around it in a ring, each with a door to the next
-one. In this way each room can be reached without each other one.
+The hall lies in the middle, with a door to every other room; these lie around it in a ring, each with a door to the
+next one. In this way each room can be reached without each other one.
 """
 
 from collections import deque

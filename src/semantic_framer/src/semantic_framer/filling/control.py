@@ -55,14 +55,14 @@ def with_times(
         times = _times(sentence, root, words)
         if times:
             found.append((times, words))
-    if len(found) != 1 or reading.control.count or (found[0][0] == 1 and _is_turn_assumed(reading, frame)):
+    if len(found) != 1 or reading.control.count or (found[0][0] == 1 and is_turn_assumed(reading, frame)):
         return reading, frozenset()
     times, words = found[0]
     left_over = tuple(index for index in reading.left_over if index not in words)
     return replace(reading, left_over=left_over, control=replace(reading.control, count=times)), words
 
 
-def _is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
+def is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
     """Whether nobody said how far to turn, nor to which side: "spin around *once*" says that it is no half turn."""
     elements = {element.name for element in frame.frame_elements if element.quantity is Quantity.ANGLE}
     direction = reading.argument_in_role(DIRECTION, frame)
@@ -120,7 +120,8 @@ def with_duration(
 def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame) -> Reading:
     """Return a reading that says that the deed goes on: "*keep* saying hello".
 
-    "Keep going to the office" means to go on to the office, "to the hall and the office" to go there again and again, and "keep moving two metres" ends after two metres.
+    "Keep going to the office" means to go on to the office, "to the hall and the office" to go there again and again,
+    and "keep moving two metres" ends after two metres.
     """
     goal = reading.argument_in_role(GOAL, frame)
     if goal is not None and goal.separate_members and sentence.word(clause.verb).said in _KEEPING:

@@ -39,7 +39,9 @@ _AUXILIARIES = (
 )
 _CROSSING = word_class("prepositions_of_crossing")
 _DIRECTIONS = word_class("all_directions")
-_EACH, _BOTH, _THEY = "each", "both", "they"
+_EACH = "each"
+_BOTH = "both"
+_THEY = "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")

@@ -25,6 +25,7 @@ from word_classes import word_class
 
 _BORDERS = word_class("clause_borders")
 _ENDS = word_class("first_of_all") | word_class("last_of_all")
+_GOING = word_class("verbs_of_going") | word_class("keeping_verbs")
 _TIMES = word_class("iteration_adverbs")
 _MANY = word_class("persons_among_many")
 
@@ -204,7 +205,11 @@ class _Finder:
                 return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, end, length, None), items=items), end
             else:
                 return None, 0
-        return (replace(self._said.joint(link, place, end, length, None), items=items), end) if items else (None, 0)
+        if not items:
+            return None, 0
+        joint = self._said.joint(link, place, end, length, None)
+        is_going = tree.verb_above(tree.word(items[0])).lemma.lower() in _GOING
+        return replace(joint, items=items if is_going else ()), end  # One patrols "between", and goes "to".
 
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""
@@ -231,7 +236,11 @@ class _Finder:
         # The items of a new list stay in the sentence.
         last = max(at for at in range(place, order.border) if self._said.words[at].upos in NOUNS)
         between = frozenset(word.index for word in self._said.words[last + 1 : order.border])
-        items = (self._said.words[last].index, self._said.words[order.border].index, self._said.words[order.second].index)
+        items = (
+            self._said.words[last].index,
+            self._said.words[order.border].index,
+            self._said.words[order.second].index,
+        )
         return replace(joint, positions=between, first=items[1], order=order, items=items), end
 
     def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:

@@ -25,9 +25,9 @@ _BEING_THERE = word_class("verbs_of_being_there")
 _DOING = word_class("forms_of_do")
 _ENTERING = word_class("verbs_of_going") | word_class("verbs_of_arriving")
 _AVOIDING, _STAYING = word_class("verbs_of_avoiding"), word_class("verbs_of_staying")
-_UNTIL = frozenset(["until", "till", "til", "before"])
+_UNTIL = word_class("conjunctions_of_ends")
 #: Where the other deed leads.
-_THERE = frozenset(["it", "there"])
+_THERE = word_class("words_for_a_place_said")
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
@@ -112,7 +112,11 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
     spoken = {verb.lemma.lower(), " ".join([verb.lemma, *forms[place + 1 : place + 2]]).lower()}
     if link.kind is LinkKind.BEFORE and spoken & _BEING_THERE:
         return None  # "Turn left before you reach the stairs" does not send the robot there.
-    return DeedBehind(link.kind, place, verb.index, is_kept_out) if known.verbs_beginning_with(verb.lemma.lower()) else None
+    return (
+        DeedBehind(link.kind, place, verb.index, is_kept_out)
+        if known.verbs_beginning_with(verb.lemma.lower())
+        else None
+    )
 
 
 def _prohibition_at(words: Sequence[Word], forms: Sequence[str]) -> Tuple[Optional[Link], int, bool]:
@@ -236,9 +240,8 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
     is_first = words[end].said in _FIRST
     is_said = name <= _content(words[:place])
     is_joined = words[start - 1].upos == "CCONJ" and not any(word.said in _ALL for word in words[:place])
-    if not is_said and not is_joined:
-        return None  # "Visit every room, the kitchen first": it is no further room.
-    length = end + 1 - place if is_said else 1
+    # "Visit every room, the kitchen first": it is no further room.
+    length = end + 1 - place if is_said or not is_joined else 1
     return ItemOrder(length, name if is_first else none, none if is_first else name) if name else None
 
 
@@ -253,7 +256,7 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     while start < len(words) and words[start].said in _JOINING | _NEGATIONS | _ONLY:
         is_denied = is_denied or words[start].said in _NEGATIONS
         start += 1
-    one = _phrase(words, start)
+    one = _phrase(words, start, before=_LAST)
     border = start + one
     behind, is_only, is_not = _restriction(words, border)
     border = behind
@@ -322,9 +325,10 @@ def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:
     """Return the place behind the words between an item and "before", and whether they have an "only" and a "not": "the
     hall *only* after the office", "the hall, *but not* before the office"."""
     end, is_only, is_not = place, False, False
-    while end < len(words) and words[end].said in _JOINING:
+    while end < len(words) and words[end].said in _JOINING | _LAST:
+        is_only = is_only or words[end].said in _LAST  # "The hall *last*, after the office."
         end += 1
-    begin = end
+    begin = end - is_only
     while end < len(words) and words[end].said in _ONLY | _NEGATIONS:
         is_only = is_only or words[end].said in _ONLY
         is_not = is_not or words[end].said in _NEGATIONS

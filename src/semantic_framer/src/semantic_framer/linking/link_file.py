@@ -32,6 +32,7 @@ _LISTS = ("checks", "adverbs", "adverbs_of_nearness")
 _WHETHER = word_class("whether_words")
 _NOT = word_class("not")
 _CONJUNCTIONS = word_class("linking_conjunctions") | {"or"}
+_ONLY = word_class("restricting_adverbs")
 _WISHING = word_class("wishing_verbs") | {"want"}
 _HEADS_OF_ORDER = frozenset(["order", "sequence"])
 #: What says nothing about an order.
@@ -242,7 +243,7 @@ class Links:
         """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
         near = (phrase for form in forms for phrase, _ in self.orders.begins_with(form))
         more, less = _COMPARATIVES
-        words = _HEADS_OF_ORDER | self.limits.keys() | more | less | {"than", "up", "only", "or"}
+        words = _HEADS_OF_ORDER | self.limits.keys() | more | less | _ONLY | {"than", "up"}
         return bool(forms & words) or any(forms.issuperset(words) for words in near)
 
     def _limit_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:

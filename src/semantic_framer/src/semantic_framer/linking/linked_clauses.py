@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clauses.event_conditions import CONDITION_OF_DEED
-from semantic_framer.filling.control import going_on, has_end
+from semantic_framer.filling.control import going_on, has_end, is_turn_assumed
 from semantic_framer.linking.item_lists import has_items, items_apart
 from semantic_framer.linking.link_file import LinkKind
 from semantic_framer.units.frame_roles import GOAL, PATROLLING, STOPPING
@@ -138,6 +138,11 @@ class LinkedClauses:
         place = node.part.clause
         clause = self._add(self.readings[place], self.positions[place], self.firsts[place])
         return Node(replace(node.part, clause=clause), node.positions)
+
+    def is_turn_assumed(self, clause: int) -> bool:
+        """Whether a clause is a turn of which nobody said how far it goes."""
+        reading = self.readings[clause][0]
+        return is_turn_assumed(reading, self._known.frames[reading.unit.frame_name])
 
     def is_endless(self, clause: int) -> bool:
         """Whether a clause goes on until something ends it: "patrol the hall"."""

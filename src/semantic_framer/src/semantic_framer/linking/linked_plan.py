@@ -153,7 +153,7 @@ class _Builder:
         return tuple(self._table.readings[place] for place in order), _with_places(plan, order)
 
     def _keep_out(self, nodes: Sequence[Node]) -> None:
-        """Let the robot keep out of where a deed leads before it: "*do not enter the hall until you have* visited ..."."""
+        """Let the robot keep out of a place before the deed there: "*do not enter the hall until you have* been to"."""
         for first, then in zip(nodes, nodes[1:]):
             if any(joint.is_kept_out and joint.verb in first.positions for joint in self._fronts):
                 self._table.keep_out(first, then)

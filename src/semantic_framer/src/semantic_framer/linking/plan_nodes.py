@@ -55,6 +55,8 @@ class PlanNodes:
         if joint.kind in ORDERS:
             return self.ordered(joint.kind, body)
         if joint.kind in COUNTS:
+            if joint.number == 1 and child.part.kind == "DO" and self._table.is_turn_assumed(child.part.clause):
+                raise NoStructure("how far to turn")  # "Turn around only once."
             return Node(_repeated(child.part, label, joint), positions)
         said = joint.condition
         if said is None:
@@ -142,7 +144,6 @@ class PlanNodes:
             return self._alternating(nodes, count or int(kind is LinkKind.RETURNING))
         return self.several("ANY_ORDER", nodes)
 
-
     def again_and_again(self, nodes: List[Node]) -> Node:
         """Return all deeds, done again and again: "go to the hall, then to the office, *and so on*"."""
         all_of_them = self.sequence(nodes)
@@ -171,7 +172,7 @@ def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
     """Return a deed that is done so many times at least or at most, or again and again."""
     if part.is_endless and joint.kind is LinkKind.FOREVER:
         return part
-    if part.kind in ("REPEAT", "UNTIL", "WHILE"):
+    if part.kind in ("REPEAT", "UNTIL", "WHILE", "AT", "WHENEVER"):
         raise NoStructure("two ways to repeat")
     least = joint.number if joint.kind is LinkKind.AT_LEAST else 0
     return PlanPart("REPEAT", label, (part,), count=least, most=joint.number if joint.kind is LinkKind.AT_MOST else 0)

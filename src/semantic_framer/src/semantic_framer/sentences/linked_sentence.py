@@ -229,8 +229,9 @@ def _with_deeds_apart(tree: DependencyTree, joints: Joints) -> DependencyTree:
     for word in tree.words:
         if word.index in deeds:
             # "After *closing* the door" and "before you *close* it" command what "close it" commands.
-            lemma = "go" if word.deprel == "cop" else word.lemma.lower()
-            if word.deprel == "cop":
+            is_been = word.deprel == "cop" and tree.word(word.index + 1).said == "to"
+            lemma = "go" if is_been else word.lemma.lower()
+            if is_been:
                 # "After you have *been* to the hall": the place is the head.
                 edit.rehang(word.index, tree.governor(word).head, "parataxis")
                 edit.rehang(word.head, word.index, "obl")

@@ -22,7 +22,7 @@ _ALWAYS = frozenset(["all", "times"])
 _NEVER = word_class("negations")
 _STAYING = word_class("verbs_of_staying")
 #: "Stay *out of* the hall", "keep *clear of* it".
-_OUT = frozenset(["out", "away", "off", "clear"])
+_OUT = word_class("words_of_staying_away")
 #: Of "on the way there".
 _LONGEST_WAY = 4
 _RELATIVE = "acl:relcl"
@@ -40,7 +40,8 @@ _WITHOUT = frozenset(["without"])
 )
 def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a preposition of what says where not to go: "go to the office *and avoid the hall on the way*", "*without
-    going through the hall*", "*but not through the hall*", "*but never enter the hall*", "*and stay out of the hall*"."""
+    going through the hall*", "*but not through the hall*", "*but never enter the hall*", "*and stay out of the hall*".
+    """
     edit = TreeEdit(tree)
     for word in tree.words:
         found = _avoided(tree, word)
@@ -142,7 +143,8 @@ def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
         head = tree.governor(head)
     # "Keep *visiting* the kitchen, avoiding the hall."
     verbs = [] if head is None else [head, *(child for child in tree.children(head.index) if child.deprel == "xcomp")]
-    found = next((verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING and verb.index != word.index), None)
+    going = (verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING)
+    found = next((verb for verb in going if verb.index != word.index), None)
     others = [] if found is None else [one for one in tree.children(found.index) if one.deprel in _OF_DEEDS]
     # "Go to the kitchen, then go to the office, and avoid the hall": on which way?
     is_open = any(one.lemma.lower() in _GOING | _ARRIVING and one.index < word.index for one in others)

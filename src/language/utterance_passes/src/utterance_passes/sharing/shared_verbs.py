@@ -23,8 +23,7 @@ _RELATIONS = {"and": "cc", "then": "advmod"}
 #: Words before a phrase of what comes later; "there" is where the phrase before leads.
 _LATER: Tuple[Tuple[str, ...], ...] = (
     *(("after", word) for word in sorted(word_class("pronouns_of_things"))),
-    ("from", "there"),
-    ("back",),
+    *(tuple(phrase.split()) for phrase in sorted(word_class("words_of_going_on"))),
     *((word,) for word in sorted(_ORDER - _JOINING)),
 )
 
@@ -102,9 +101,7 @@ def _is_behind_source(tree: DependencyTree, word: Word) -> bool:
 
 
 def _is_said_before(tree: DependencyTree, words: Tuple[str, ...], place: int) -> bool:
-    return place > len(words) and all(
-        tree.word(place - len(words) + at).said == word for at, word in enumerate(words)
-    )
+    return place > len(words) and all(tree.word(place - len(words) + at).said == word for at, word in enumerate(words))
 
 
 def _has_phrase(tree: DependencyTree, verb: Word, end: int) -> bool:
