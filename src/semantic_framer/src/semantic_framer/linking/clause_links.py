@@ -11,6 +11,7 @@ from semantic_framer.linking.deed_orders import (
     first_order,
     is_last_of_deed,
     item_order,
+    prohibition_behind,
     times_at,
 )
 from semantic_framer.linking.joints import Joint, Joints, with_limits
@@ -111,6 +112,7 @@ class _Finder:
                 self._conditions.checked,
                 self._manner,
                 self._conditions.of_persons,
+                self._forbidden,
                 *finders,
                 self._sequenced,
                 self._conditions.beforehand,
@@ -243,6 +245,14 @@ class _Finder:
         )
         return replace(joint, positions=between, first=items[1], order=order, items=items), end
 
+    def _forbidden(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return both ends of "*until you have* been to the hall*, stay out of the office*; then go there"."""
+        length = prohibition_behind(self._said.words, place)
+        if length:
+            return self._said.joint(Link(LinkKind.EXACTLY), place, place + length, length, None), place + length
+        comma = self._said.forms.index(",") if place == 0 and "," in self._said.forms else 0
+        return self._sequenced(place) if comma and prohibition_behind(self._said.words, comma) else (None, 0)
+
     def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return words before a deed that follows or precedes another one: "before you go", "after closing"."""
         deed = deed_behind(self._said.words[place:], self._said.forms[place:], self._said.known)
@@ -265,6 +275,9 @@ class _Finder:
         joiner, length = shipped_links().joiner_at(self._said.forms[place:])
         if any(self._said.words[place].index in time for time in self._said.sentence.tree.times):
             return None, 0  # "Next week" is a time.
+        behind = self._said.words[place + length : place + length + 1]
+        if length > 1 and behind and behind[0].said == "of":
+            return None, 0  # "*At the end* of the hall turn left."
         is_front = self._is_front(place) or self._is_otherwise(joiner, place + length)
         if joiner is None or not is_front or self._has_more(place, length):
             # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.

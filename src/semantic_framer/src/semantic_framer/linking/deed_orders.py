@@ -95,6 +95,11 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
     is_kept_out = False
     if link is None:
         link, place, is_kept_out = _prohibition_at(words, forms)
+    if link is None and words[0].index == 1 and forms[0] in _UNTIL and "," in forms:
+        # "*Until you have* been to the hall, stay out of the office; then go to the office."
+        comma = list(forms).index(",")
+        is_kept_out = _length_of_prohibition(words[comma + 1 :], forms[comma + 1 :]) > 1
+        link, place = (Link(LinkKind.AFTER), 1) if is_kept_out else (None, 0)
     if link is None and forms[0] == "having":
         link = Link(LinkKind.AFTER)  # "*Having* closed the door, go to the hall."
     if link is None:
@@ -117,6 +122,21 @@ def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexico
         if known.verbs_beginning_with(verb.lemma.lower())
         else None
     )
+
+
+def prohibition_behind(words: Sequence[Word], place: int) -> int:
+    """Return the number of words of a prohibition behind its end: "until you have visited the hall*, stay out of the
+    office*; then go there"; 0 for other words.
+
+    Args:
+        words: of the sentence
+        place: where the words may begin
+    """
+    if words[0].said not in _UNTIL or words[place].said != ",":
+        return 0
+    behind = words[place + 1 :]
+    length = _length_of_prohibition(behind, [word.said for word in behind])
+    return length + 1 if length > 1 else 0
 
 
 def _prohibition_at(words: Sequence[Word], forms: Sequence[str]) -> Tuple[Optional[Link], int, bool]:

@@ -8,9 +8,11 @@ from semantic_framer.linking.link_file import LinkKind
 from semantic_framer.linking.linked_clauses import LinkedClauses, Node, NoStructure, Open
 from semantic_framer.values.clause_plan import PlanPart
 from typed_arguments import TimeExpression
+from word_classes import word_class
 
 #: How the items of a list, or several deeds, are done.
 ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED, LinkKind.ALTERNATING, LinkKind.RETURNING)
+_UNTIL = word_class("conjunctions_of_ends")
 #: How the robot goes between the items.
 _BETWEEN = (LinkKind.ALTERNATING, LinkKind.RETURNING)
 #: How often a deed is done.
@@ -68,7 +70,9 @@ class PlanNodes:
             joint = replace(joint, kind=LinkKind.WHEN) if is_stop or self._table.happens(said) else joint
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
-        if joint.kind is LinkKind.WHEN and joint.first == 1 and self._table.is_own_deed(said):
+        # "Do not enter until you have knocked" waits for what comes first.
+        is_when = joint.kind is LinkKind.WHEN and joint.first == 1 and joint.words.lower() not in _UNTIL
+        if is_when and self._table.is_own_deed(said):
             # "Once you have visited the hall, go to the office": nobody told the robot to visit the hall.
             words = self._table.label(said.positions)
             raise Open(f'Should I do this first, or wait for it: "{words}"? Say "first ..." or "wait until ...".')

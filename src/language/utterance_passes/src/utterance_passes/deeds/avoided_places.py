@@ -42,6 +42,7 @@ def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Make a preposition of what says where not to go: "go to the office *and avoid the hall on the way*", "*without
     going through the hall*", "*but not through the hall*", "*but never enter the hall*", "*and stay out of the hall*".
     """
+    tree = _with_way_on_top(tree)
     edit = TreeEdit(tree)
     for word in tree.words:
         found = _avoided(tree, word)
@@ -62,6 +63,26 @@ def avoided_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     return edit.tree()
 
 
+def _with_way_on_top(tree: DependencyTree) -> DependencyTree:
+    """Let what is avoided depend on the way: "*keep out of the hall while* you go to the office"."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        lemma = word.lemma.lower()
+        if word.head or lemma not in _AVOIDING | _STAYING:
+            continue
+        for way in tree.children(word.index):
+            marks = [child for child in tree.children(way.index) if child.said == "while" and child.deprel == "mark"]
+            is_going = way.deprel == "advcl" and way.lemma.lower() in _GOING | _ARRIVING
+            if is_going and marks and (lemma in _AVOIDING or _stayed_out_of(tree, word, but=way) is not None):
+                edit.rehang(way.index, 0, "root")
+                edit.rehang(word.index, way.index, "advcl")
+                edit.retag(way.index, "VERB", "VB")
+                for child in tree.children(way.index):
+                    if child in marks or child.deprel == "nsubj":
+                        edit.rehang(child.index, way.index, ASIDE)
+    return edit.tree()
+
+
 def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
     """Return the place that is to be avoided, and the word that becomes its preposition; None if there is none."""
     children = tree.children(word.index)
@@ -79,10 +100,11 @@ def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
         others = [child for child in children if child not in places and child.said not in _NEVER]
         is_plain = all(child.deprel == "aux" or _is_beside(tree, child) for child in others)
         return (places[0], word.index) if len(places) == 1 and is_plain else None
-    if lemma in _GOING | _ARRIVING and word.deprel in _OF_DEEDS:
+    is_entering = lemma == "set" and any(child.lemma.lower() == "foot" for child in children)
+    if (lemma in _GOING | _ARRIVING or is_entering) and word.deprel in _OF_DEEDS:
         is_without = any(child.deprel == "mark" and child.said in _WITHOUT for child in children)
-        places = [child for child in children if child.deprel in ("obl", "obj")]
-        is_crossed = len(places) == 1 and (_crossing(tree, places[0]) or lemma in _ARRIVING)
+        places = [child for child in children if child.deprel in (("obl",) if is_entering else ("obl", "obj"))]
+        is_crossed = len(places) == 1 and (_crossing(tree, places[0]) or lemma in _ARRIVING or is_entering)
         return (places[0], word.index) if is_without and is_crossed else None
     if word.upos in NOUNS and word.deprel in ("conj", "obl", "nmod", "parataxis"):
         first = tree.phrase_start(word.index)
@@ -93,9 +115,9 @@ def _avoided(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
     return None
 
 
-def _stayed_out_of(tree: DependencyTree, word: Word) -> Optional[Tuple[Word, int]]:
+def _stayed_out_of(tree: DependencyTree, word: Word, *, but: Optional[Word] = None) -> Optional[Tuple[Word, int]]:
     """Return the place that somebody is told to stay out of, and the verb; None for another place."""
-    children = tree.children(word.index)
+    children = [child for child in tree.children(word.index) if but is None or child.index != but.index]
     out = [child for child in children if child.deprel in ("xcomp", "advmod") and child.said in _OUT]
     inner = [child for one in out for child in tree.children(one.index)]
     places = [child for child in [*children, *inner] if child.deprel == "obl" and child.upos in NOUNS]
@@ -136,6 +158,11 @@ def _in_front(tree: DependencyTree, place: Word, border: int) -> FrozenSet[int]:
     return frozenset([*before, *cases])
 
 
+def _finds_way(tree: DependencyTree, verb: Word) -> bool:
+    """Whether a verb and its object mean to go somewhere: "find your way to the hall"."""
+    return any(child.deprel == "obj" and child.lemma.lower() in _WAY for child in tree.children(verb.index))
+
+
 def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
     """Return the verb of going that a word is attached to, directly or behind the goal."""
     head = tree.governor(word) if word.head else None
@@ -143,7 +170,7 @@ def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
         head = tree.governor(head)
     # "Keep *visiting* the kitchen, avoiding the hall."
     verbs = [] if head is None else [head, *(child for child in tree.children(head.index) if child.deprel == "xcomp")]
-    going = (verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING)
+    going = (verb for verb in verbs if verb.lemma.lower() in _GOING | _ARRIVING or _finds_way(tree, verb))
     found = next((verb for verb in going if verb.index != word.index), None)
     others = [] if found is None else [one for one in tree.children(found.index) if one.deprel in _OF_DEEDS]
     # "Go to the kitchen, then go to the office, and avoid the hall": on which way?
