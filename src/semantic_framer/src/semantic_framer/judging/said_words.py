@@ -49,6 +49,7 @@ _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
 _HEDGES = word_class("hedges")
 _ORDER = word_class("adverbs_of_order")
+_ONLY = word_class("restricting_adverbs")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -321,6 +322,9 @@ class _Check:
         hall, *after that* to the office"."""
         if word.index > word.head or word.head not in self._named:
             return False
+        behind = self._tree.words[word.index].said
+        if word.deprel == ASIDE and word.said in _ONLY and behind in _ORDER:
+            return True  # "And *only then* the hall."
         is_adverb = word.said in _ORDER and word.deprel == "advmod"
         return is_adverb or (word.deprel == ASIDE and word.head in self._tree.sharing_a_verb)
 

@@ -9,6 +9,7 @@ from semantic_framer.linking.deed_orders import (
     end_order,
     ends_of_way,
     first_order,
+    is_first_of_deeds,
     is_last_of_deed,
     item_order,
     prohibition_behind,
@@ -218,6 +219,8 @@ class _Finder:
         first = first_order(self._said.words, place)
         if first is not None:
             return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), order=first), place + 1
+        if is_first_of_deeds(self._said.words, place):
+            return self._said.joint(Link(LinkKind.BEFORE_THAT), place, place + 1, 1, None), place + 1
         if is_last_of_deed(self._said.words, place):
             return self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), place + 1
         of_all = end_order(self._said.words, place, self._verbs_before(place))

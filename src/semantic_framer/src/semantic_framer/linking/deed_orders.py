@@ -16,6 +16,7 @@ _HEARERS = word_class("hearers")
 _HAVE = word_class("forms_of_have") | {"having", "'ve"}
 _NEGATIONS = word_class("negations")
 _ALL = word_class("determiners_of_all")
+_EXACT = word_class("exact_adverbs")
 _ONLY = word_class("restricting_adverbs")
 _FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
 _MARKS = frozenset([",", ".", "!", "?", ";"])
@@ -29,6 +30,8 @@ _UNTIL = word_class("conjunctions_of_ends")
 #: Where the other deed leads.
 _THERE = word_class("words_for_a_place_said")
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
+#: "Visit *the office after* the hall", "go *to* the office after ...", "visit the yard *and* the office after ...".
+_BEFORE_LIST = frozenset(["VERB", "ADP", "CCONJ"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
 #: The longest phrase that names a thing, in words.
@@ -185,6 +188,10 @@ def times_at(forms: Sequence[str]) -> Optional[Times]:
     if link is not None:
         said = times_said(forms[place:])
         return Times(link.kind, said[0], place + said[1]) if said is not None else None
+    if list(forms[:1]) == ["on"]:
+        exact = next((place for place, form in enumerate(forms[1:], 1) if form not in _EXACT), 1)
+        said = times_said(forms[exact:])
+        return Times(LinkKind.TIMES, said[0], exact + said[1]) if said is not None and said[1] == 2 else None
     start = int(list(forms[:1]) == ["but"])
     if forms[start : start + 1] and forms[start] in _ONLY:
         said = times_said(forms[start + 1 :])
@@ -225,12 +232,21 @@ def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     return ItemOrder(1, _content(words[start:place]), frozenset())
 
 
+def is_first_of_deeds(words: Sequence[Word], place: int) -> bool:
+    """Whether a word at a place says that the last deed comes first: "..., but go to the hall *first*"."""
+    return _is_of_last_deed(words, place) and words[place].said in _FIRST
+
+
 def is_last_of_deed(words: Sequence[Word], place: int) -> bool:
     """Whether a word at a place says that the last deed is the last one: "but go to the office *last*"."""
+    return _is_of_last_deed(words, place) and words[place].said in _LAST
+
+
+def _is_of_last_deed(words: Sequence[Word], place: int) -> bool:
     word = words[place]
     verbs = [one for one in words[:place] if one.upos == "VERB"]
     is_end = all(one.upos == "PUNCT" for one in words[place + 1 :])
-    return is_end and word.said in _LAST and len(verbs) > 1 and word.deprel == "advmod" and word.head == verbs[-1].index
+    return is_end and len(verbs) > 1 and word.deprel == "advmod" and word.head == verbs[-1].index
 
 
 def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:
@@ -303,7 +319,7 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     (earlier, later), others = pairs[0], tuple(pairs[1:])
     if start > place and all(item <= said for pair in pairs for item in pair):
         return ItemOrder(end - place, earlier, later, more=others)
-    if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
+    if start > place or not place or length > 1 or words[place - 1].upos not in _BEFORE_LIST:
         return None
     is_doubtful = not is_not and (is_before or not is_only)
     return ItemOrder(end - place, earlier, later, True, is_doubtful, border, noun, others)

@@ -33,6 +33,7 @@ _WHETHER = word_class("whether_words")
 _NOT = word_class("not")
 _CONJUNCTIONS = word_class("linking_conjunctions") | {"or"}
 _ONLY = word_class("restricting_adverbs")
+_ITERATIONS = word_class("iteration_nouns")
 _WISHING = word_class("wishing_verbs") | {"want"}
 _HEADS_OF_ORDER = frozenset(["order", "sequence"])
 #: What says nothing about an order.
@@ -75,6 +76,7 @@ class LinkKind(Enum):
     RETURNING = "and back"  # from the first to the last one and back
     FOREVER = "again and again"  # until something else ends it
     AT_A_TIME = "at a time"  # a part of it each time, again and again until something else ends it
+    TIMES = "times"  # so many times
     AT_LEAST = "at least"  # so many times or more
     AT_MOST = "at most"  # so many times or fewer
 
@@ -243,7 +245,7 @@ class Links:
         """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
         near = (phrase for form in forms for phrase, _ in self.orders.begins_with(form))
         more, less = _COMPARATIVES
-        words = _HEADS_OF_ORDER | self.limits.keys() | more | less | _ONLY | {"than", "up"}
+        words = _HEADS_OF_ORDER | self.limits.keys() | more | less | _ONLY | _ITERATIONS | {"than", "up"}
         return bool(forms & words) or any(forms.issuperset(words) for words in near)
 
     def _limit_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:

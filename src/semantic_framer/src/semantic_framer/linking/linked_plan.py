@@ -132,10 +132,9 @@ class _Builder:
     def build(self) -> Tuple[Clauses, PlanPart]:
         nodes: List[Node] = []
         while self._place < len(self._units):
-            if len(nodes) > 1 and self._is_now(LinkKind.BEFORE_THAT):
-                self._take()
-                nodes[-2:] = [self._nodes.sequence(nodes[:-3:-1])]
-            elif nodes and self._is_now(LinkKind.ROUND):
+            if nodes and self._is_now(LinkKind.BEFORE_THAT):
+                nodes = [self._before_those(nodes)]
+            elif nodes and (self._is_now(LinkKind.ROUND) or self._is_now(LinkKind.FOREVER)):
                 self._take()
                 nodes = [self._nodes.again_and_again(nodes)]
             elif nodes and self._now is not None and self._now.kind in ORDERS:
@@ -172,6 +171,15 @@ class _Builder:
 
     def _is_now(self, kind: LinkKind) -> bool:
         return self._now is not None and self._now.kind is kind
+
+    def _before_those(self, nodes: List[Node]) -> Node:
+        """Read words that put a deed before all others: "..., *but first* go to the hall", "... *before that*"."""
+        self._take()
+        if self._now is not None and self._now.joint is None:
+            return self._nodes.sequence([self._next_deed(), *nodes])
+        if len(nodes) < 2:
+            raise NoStructure("an order of one deed")
+        return self._nodes.sequence([nodes[-1], *nodes[:-1]])
 
     def _statement(self) -> Node:
         """Read a link at the front with what it joins, or a deed."""
@@ -300,6 +308,8 @@ class _Builder:
             return before.joint is None and (
                 self._table.has_items(before.clause) or self._table.is_of_all(before.clause)
             )
+        if link.kind is LinkKind.FOREVER and "," in link.before and self._place > 1:
+            return False  # "Go to the hall, then to the office, again and again."
         if link.kind in COUNTS or link.kind is LinkKind.AFTER:
             return True
         if link.before & JOINING:

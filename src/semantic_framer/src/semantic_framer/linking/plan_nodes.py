@@ -16,7 +16,7 @@ _UNTIL = word_class("conjunctions_of_ends")
 #: How the robot goes between the items.
 _BETWEEN = (LinkKind.ALTERNATING, LinkKind.RETURNING)
 #: How often a deed is done.
-COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
+COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST, LinkKind.TIMES)
 
 
 class PlanNodes:
@@ -178,5 +178,6 @@ def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
         return part
     if part.kind in ("REPEAT", "UNTIL", "WHILE", "AT", "WHENEVER"):
         raise NoStructure("two ways to repeat")
-    least = joint.number if joint.kind is LinkKind.AT_LEAST else 0
-    return PlanPart("REPEAT", label, (part,), count=least, most=joint.number if joint.kind is LinkKind.AT_MOST else 0)
+    least = 0 if joint.kind is LinkKind.AT_MOST else joint.number
+    most = 0 if joint.kind is LinkKind.AT_LEAST else joint.number
+    return PlanPart("REPEAT", label, (part,), count=least, most=most)

@@ -47,6 +47,7 @@ _MANNERS = (
     LinkKind.RETURNING,
     LinkKind.FOREVER,
     LinkKind.AT_A_TIME,
+    LinkKind.TIMES,
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
@@ -60,6 +61,7 @@ _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
 #: Relations of a verb that depends on the one before it.
+_DONE = frozenset(["having"])
 _OF_TIMES = frozenset(["advmod", "obl:unmarked"])
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
@@ -233,13 +235,15 @@ def _with_deeds_apart(tree: DependencyTree, joints: Joints) -> DependencyTree:
             lemma = "go" if is_been else word.lemma.lower()
             if is_been:
                 # "After you have *been* to the hall": the place is the head.
-                edit.rehang(word.index, tree.governor(word).head, "parataxis")
+                above = tree.governor(word).head
+                edit.rehang(word.index, above, "parataxis" if above else "root")
                 edit.rehang(word.head, word.index, "obl")
             edit.retag(word.index, "VERB", "VB")
             edit.respell(word.index, lemma, lemma)
-            is_behind = word.head < word.index and word.deprel != "cop"
-            for other in tree.children(word.head) if is_behind else ():
-                if other.index > word.index and other.deprel in _OF_TIMES:
+            comma = next((one.index for one in tree.words[word.index :] if one.form == ","), len(tree.words))
+            end = comma if word.head > word.index else len(tree.words)
+            for other in tree.children(word.head) if word.deprel != "cop" else ():
+                if word.index < other.index < end and other.deprel in _OF_TIMES:
                     edit.rehang(other.index, word.index)  # "Go to the hall after visiting the office *twice*."
         if word.index in joining or word.upos != "VERB" or word.deprel not in _DEPENDENT:
             continue
@@ -394,10 +398,12 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     said = frozenset(word.said for word in sentence.tree.open_words)
     links = shipped_links()
     has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
-    if not links.has_manner(said) and not has_order and not said & _MANY:
+    if not links.has_manner(said) and not has_order and not said & (_MANY | _DONE):
         return Joints()
     joints = find_joints(sentence, known)
     is_meant = any(joint.kind in _MANNERS or joint.is_of_persons for joint in joints.found)
+    # "*Having been* to the hall, go to the office" reports nothing.
+    is_meant = is_meant or any(joint.verb and sentence.word(joint.first).said in _DONE for joint in joints.found)
     return joints if is_meant else Joints()
 
 

@@ -20,6 +20,7 @@ _OF_DEEDS = frozenset(["advcl", "xcomp", "conj", "parataxis", "acl", "dep"])
 _WAY = frozenset(["way", "route"])
 _ALWAYS = frozenset(["all", "times"])
 _NEVER = word_class("negations")
+_ORDER = word_class("adverbs_of_order")
 _STAYING = word_class("verbs_of_staying")
 #: "Stay *out of* the hall", "keep *clear of* it".
 _OUT = word_class("words_of_staying_away")
@@ -158,6 +159,11 @@ def _in_front(tree: DependencyTree, place: Word, border: int) -> FrozenSet[int]:
     return frozenset([*before, *cases])
 
 
+def _comes_then(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word puts a phrase with a preposition behind another one: "*then* to the office"."""
+    return word.said in _ORDER and bool(word.head) and bool(tree.prepositions(word.head))
+
+
 def _finds_way(tree: DependencyTree, verb: Word) -> bool:
     """Whether a verb and its object mean to go somewhere: "find your way to the hall"."""
     return any(child.deprel == "obj" and child.lemma.lower() in _WAY for child in tree.children(verb.index))
@@ -175,4 +181,7 @@ def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
     others = [] if found is None else [one for one in tree.children(found.index) if one.deprel in _OF_DEEDS]
     # "Go to the kitchen, then go to the office, and avoid the hall": on which way?
     is_open = any(one.lemma.lower() in _GOING | _ARRIVING and one.index < word.index for one in others)
+    is_open = is_open or (
+        found is not None and any(_comes_then(tree, one) for one in tree.words[found.index : word.index])
+    )
     return None if is_open else found

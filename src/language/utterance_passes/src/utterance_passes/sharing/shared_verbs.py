@@ -82,6 +82,8 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
             edit.rehang(opening[0].index, word.index, ASIDE)  # "From the hall *back* to the office."
             continue
         verb = tree.verb_above(word) if opening else word
+        if any(one.said == "back" for one in opening) and _has_source(tree, verb):
+            continue  # "Go *from* the hall to the office, and then *back to* the hall" is one way.
         # "Go to the hall *and back to* the office twice" is one way.
         joining = {"then"} if any(one.said == "back" for one in opening) else _JOINING
         is_joined = any(one.said in joining for one in opening)
@@ -93,6 +95,11 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
         if word.deprel != "conj" or word.head != verb.index:
             edit.rehang(word.index, verb.index, "conj")
     return edit.tree()
+
+
+def _has_source(tree: DependencyTree, verb: Word) -> bool:
+    children = tree.children(verb.index)
+    return any(case.said == "from" for child in children for case in tree.prepositions(child.index))
 
 
 def _is_behind_source(tree: DependencyTree, word: Word) -> bool:
