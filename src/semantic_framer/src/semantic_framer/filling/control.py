@@ -55,11 +55,30 @@ def with_times(
         times = _times(sentence, root, words)
         if times:
             found.append((times, words))
+    if found and _may_be_of_all(sentence, clause, found[0][1]):
+        return reading, frozenset()
     if len(found) != 1 or reading.control.count or (found[0][0] == 1 and is_turn_assumed(reading, frame)):
         return reading, frozenset()
     times, words = found[0]
     left_over = tuple(index for index in reading.left_over if index not in words)
     return replace(reading, left_over=left_over, control=replace(reading.control, count=times)), words
+
+
+def _may_be_of_all(sentence: Sentence, clause: Clause, words: FrozenSet[int]) -> bool:
+    """Whether a mark before a number of times leaves open how much is done so often: "go to the hall and then to the
+    office, *three times*".
+
+    Args:
+        sentence: the sentence
+        clause: the last clause before the number
+        words: positions of the words of the number
+    """
+    tree = sentence.tree
+    first = min(index for index in words if tree.word(index).upos != "PUNCT")
+    if first == 1 or tree.word(first - 1).form != ",":
+        return False
+    before = [word for word in tree.words[: first - 1] if word.upos == "VERB" and word.index not in clause.positions]
+    return bool(before) or any(index < first for index in tree.sharing_a_verb)
 
 
 def is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:

@@ -40,6 +40,7 @@ _AUXILIARIES = (
 _CROSSING = word_class("prepositions_of_crossing")
 _DIRECTIONS = word_class("all_directions")
 _EACH = "each"
+_ENDS = word_class("first_of_all") | word_class("last_of_all")
 _BOTH = "both"
 _THEY = "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
@@ -153,7 +154,12 @@ class _Check:
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
         # "Visit the hall and the office, and after *both of them* the kitchen."
-        members = [member for argument in self._arguments for member in argument.members if member.lemma == _THEY]
+        members = [
+            member
+            for argument in self._arguments
+            for member in argument.members
+            if member.lemma == _THEY or member.text.lower() in _ENDS
+        ]
         pairs = [argument for argument in self._arguments if argument.lemma == _BOTH] + members
         found += [self._tree.word(index) for pair in pairs if not pair.referents for index in pair.positions]
         return found + [word for word in words if word.said == _EACH]

@@ -152,7 +152,7 @@ class Links:
         if joiner is not None:
             return joiner, length
         place = 0
-        while forms[place : place + 1] and forms[place] in _CONJUNCTIONS:
+        while forms[place : place + 1] and forms[place] in _CONJUNCTIONS | _ONLY:
             place += 1
         joiner, length = self.joiners.at(forms[place:])
         if joiner is None:

@@ -176,9 +176,18 @@ class LinkedClauses:
         """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
         return happens(condition, self._sentence.tree, self._known.frames)
 
-    def is_own_deed(self, condition: ConditionPart) -> bool:
-        """Whether a condition is that the robot has done something."""
-        return condition.reading is not None and condition.reading.unit.frame_name == CONDITION_OF_DEED
+    def is_new_deed(self, condition: ConditionPart, first: int) -> bool:
+        """Whether a condition is that the robot has done something which nobody told it to do in the words before it.
+
+        Args:
+            condition: the condition
+            first: position of the first word of its link
+        """
+        if condition.reading is None or condition.reading.unit.frame_name != CONDITION_OF_DEED:
+            return False
+        words = [self._sentence.word(index) for index in sorted(condition.positions)]
+        said = {word.lemma.lower() for word in self._sentence.tree.words[: first - 1]}
+        return not any(word.upos == "VERB" and word.lemma.lower() in said for word in words)
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

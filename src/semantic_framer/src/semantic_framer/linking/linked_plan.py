@@ -143,22 +143,13 @@ class _Builder:
                 nodes.append(self._statement())
         if self._orders:
             raise NoStructure("an order of what is in no list")
-        self._keep_out(nodes)
+        _keep_out(self._table, self._fronts, nodes)
         try:
             plan = with_orders_at_the_root(self._nodes.sequence(nodes).part)
         except NotAlone as words:
             raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
         order = sorted(range(len(self._table.readings)), key=lambda place: self._table.firsts[place])
         return tuple(self._table.readings[place] for place in order), _with_places(plan, order)
-
-    def _keep_out(self, nodes: Sequence[Node]) -> None:
-        """Let the robot keep out of a place before the deed there: "*do not enter the hall until you have* been to"."""
-        for first, then in zip(nodes, nodes[1:]):
-            if any(joint.is_kept_out and joint.verb in first.positions for joint in self._fronts):
-                self._table.keep_out(first, then)
-                return
-        if self._fronts:
-            raise NoStructure("what the robot cannot keep out of")
 
     @property
     def _now(self) -> Optional[_Unit]:
@@ -176,7 +167,7 @@ class _Builder:
         """Read words that put a deed before all others: "..., *but first* go to the hall", "... *before that*"."""
         self._take()
         if self._now is not None and self._now.joint is None:
-            return self._nodes.sequence([self._next_deed(), *nodes])
+            return self._nodes.sequence([*self._scope(is_conditional=False), *nodes])
         if len(nodes) < 2:
             raise NoStructure("an order of one deed")
         return self._nodes.sequence([nodes[-1], *nodes[:-1]])
@@ -340,6 +331,16 @@ class _Builder:
         is_joined = before is not None and before.joint is None and not deed.begins_sentence
         if is_joined and link.kind in _BEGINNING and "then" not in deed.before:
             raise Open(self._which(link))
+
+
+def _keep_out(table: LinkedClauses, fronts: Sequence[Joint], nodes: Sequence[Node]) -> None:
+    """Let the robot keep out of a place before the deed there: "*do not enter the hall until you have* been to"."""
+    for first, then in zip(nodes, nodes[1:]):
+        if any(joint.verb in first.positions for joint in fronts):
+            table.keep_out(first, then)
+            return
+    if fronts:
+        raise NoStructure("what the robot cannot keep out of")
 
 
 def _with_delays_outside(links: List[_Unit]) -> List[_Unit]:

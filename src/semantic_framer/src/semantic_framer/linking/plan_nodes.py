@@ -71,8 +71,8 @@ class PlanNodes:
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
         # "Do not enter until you have knocked" waits for what comes first.
-        is_when = joint.kind is LinkKind.WHEN and joint.first == 1 and joint.words.lower() not in _UNTIL
-        if is_when and self._table.is_own_deed(said):
+        is_when = joint.kind is LinkKind.WHEN and joint.words.lower() not in _UNTIL
+        if is_when and self._table.is_new_deed(said, joint.first):
             # "Once you have visited the hall, go to the office": nobody told the robot to visit the hall.
             words = self._table.label(said.positions)
             raise Open(f'Should I do this first, or wait for it: "{words}"? Say "first ..." or "wait until ...".')

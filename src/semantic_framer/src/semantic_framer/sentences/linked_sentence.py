@@ -402,8 +402,9 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
         return Joints()
     joints = find_joints(sentence, known)
     is_meant = any(joint.kind in _MANNERS or joint.is_of_persons for joint in joints.found)
-    # "*Having been* to the hall, go to the office" reports nothing.
+    # "*Having been* to the hall, go to the office" reports nothing, and "go *only after that*" follows nobody.
     is_meant = is_meant or any(joint.verb and sentence.word(joint.first).said in _DONE for joint in joints.found)
+    is_meant = is_meant or any(joint.kind is LinkKind.THEN and "only" in joint.words.split() for joint in joints.found)
     return joints if is_meant else Joints()
 
 

@@ -180,8 +180,9 @@ def _going_before(tree: DependencyTree, word: Word) -> Optional[Word]:
     found = next((verb for verb in going if verb.index != word.index), None)
     others = [] if found is None else [one for one in tree.children(found.index) if one.deprel in _OF_DEEDS]
     # "Go to the kitchen, then go to the office, and avoid the hall": on which way?
-    is_open = any(one.lemma.lower() in _GOING | _ARRIVING and one.index < word.index for one in others)
+    end = word.index if found is None or found.index < word.index else len(tree.words) + 1
+    is_open = any(one.lemma.lower() in _GOING | _ARRIVING and word.index != one.index < end for one in others)
     is_open = is_open or (
-        found is not None and any(_comes_then(tree, one) for one in tree.words[found.index : word.index])
+        found is not None and any(_comes_then(tree, one) for one in tree.words[found.index : end - 1])
     )
     return None if is_open else found

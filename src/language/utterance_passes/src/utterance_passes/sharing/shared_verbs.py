@@ -123,6 +123,9 @@ def _with_next_phrases_at_verbs(tree: DependencyTree) -> DependencyTree:
         is_joined = word.deprel == "conj" and word.upos not in VERBS and has_case(tree, word)
         if is_joined and shares_a_verb(tree, word) and any(is_then(child) for child in tree.children(word.index)):
             verb = tree.verb_above(word)
+            # "Go to the hall, but before that *go* to the office and then to the yard": the nearest deed.
+            inner = [child for child in tree.children(verb.index) if child.deprel == "conj" and child.upos == "VERB"]
+            verb = next((one for one in reversed(inner) if one.index < word.index), verb)
             if verb.upos == "VERB" and verb.index < word.index:
                 edit.rehang(word.index, verb.index)
     return edit.tree()
