@@ -5,7 +5,7 @@ from collections import Counter
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from visit_orders.judging import RIGHT, judged, rows
+from visit_orders.judging import FIRST, RIGHT, SECOND, judged, rows
 
 
 def main() -> None:
@@ -15,7 +15,7 @@ def main() -> None:
     pipeline = Pipeline(knowledge)
     words = " ".join(sys.argv[1:])
     counts: Counter[str] = Counter()
-    for row in rows():
+    for row in (*rows(FIRST), *rows(SECOND)):
         if words not in row.sentence:
             continue
         verdict, why = judged(pipeline, row)

@@ -11,7 +11,8 @@ from typed_arguments import TypedArgument
 from visit_orders.ltl import holds
 from visit_orders.simulated_robot import ROOMS, Again, InAnyOrder, InOrder, NoWay, Order, Visit, runs_of
 
-TABLE = Path(__file__).resolve().parent.parent / "orders_of_visits.tsv"
+FOLDER = Path(__file__).resolve().parent.parent
+FIRST, SECOND = "orders_of_visits.tsv", "orders_of_visits_second.tsv"
 RIGHT, ASKED, WRONG = "right", "asked or refused", "wrong"
 #: Frames of going somewhere, each with the element that says where to, and whether it goes on until something ends it.
 _VISITS = {
@@ -38,9 +39,9 @@ class Row:
     style: str
 
 
-def rows() -> Tuple[Row, ...]:
-    """Return the rows of the table."""
-    lines = TABLE.read_text(encoding="utf-8").splitlines()
+def rows(table: str = FIRST) -> Tuple[Row, ...]:
+    """Return the rows of a table."""
+    lines = (FOLDER / table).read_text(encoding="utf-8").splitlines()
     return tuple(Row(*line.split("\t")) for line in lines if not line.startswith("#"))
 
 
