@@ -213,7 +213,7 @@ class Phrases:
         tree = self._tree
         later = frozenset(index for conjunct in conjuncts for index in tree.subtree(conjunct))
         groups = [tree.subtree(head) - later - left_out] + [tree.subtree(conjunct) - left_out for conjunct in conjuncts]
-        groups[-1] |= attached
+        groups[-1] |= {index for index in attached if index > head}  # "Go *over* to the hall and the office."
         found = []
         for member, group in zip([head] + conjuncts, groups):
             words = [index for index in sorted(group) if not _is_of_the_list(tree, index, head)]

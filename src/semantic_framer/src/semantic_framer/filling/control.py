@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, Optional, Tuple
 
 from semantic_framer.filling.extra_phrases import left_over_groups
-from semantic_framer.units.frame_roles import DIRECTION
+from semantic_framer.units.frame_roles import DIRECTION, GOAL, PATROLLING
 from semantic_framer.values.iterations import times_said
 from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
@@ -48,19 +48,40 @@ def with_times(
         of which nobody said how far it goes: "spin around once"
     """
     found = []
+    if frame.framenet == PATROLLING:
+        return reading, frozenset()  # It ends when something ends it, and never a second time.
     for root in left_over_groups(sentence, clause, reading.left_over):
         words = sentence.subtree(root) & clause.positions
         times = _times(sentence, root, words)
         if times:
             found.append((times, words))
-    if len(found) != 1 or reading.control.count or (found[0][0] == 1 and _is_turn_assumed(reading, frame)):
+    if found and _may_be_of_all(sentence, clause, found[0][1]):
+        return reading, frozenset()
+    if len(found) != 1 or reading.control.count or (found[0][0] == 1 and is_turn_assumed(reading, frame)):
         return reading, frozenset()
     times, words = found[0]
     left_over = tuple(index for index in reading.left_over if index not in words)
     return replace(reading, left_over=left_over, control=replace(reading.control, count=times)), words
 
 
-def _is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
+def _may_be_of_all(sentence: Sentence, clause: Clause, words: FrozenSet[int]) -> bool:
+    """Whether a mark before a number of times leaves open how much is done so often: "go to the hall and then to the
+    office, *three times*".
+
+    Args:
+        sentence: the sentence
+        clause: the last clause before the number
+        words: positions of the words of the number
+    """
+    tree = sentence.tree
+    first = min(index for index in words if tree.word(index).upos != "PUNCT")
+    if first == 1 or tree.word(first - 1).form != ",":
+        return False
+    before = [word for word in tree.words[: first - 1] if word.upos == "VERB" and word.index not in clause.positions]
+    return bool(before) or any(index < first for index in tree.sharing_a_verb)
+
+
+def is_turn_assumed(reading: Reading, frame: SemanticFrame) -> bool:
     """Whether nobody said how far to turn, nor to which side: "spin around *once*" says that it is no half turn."""
     elements = {element.name for element in frame.frame_elements if element.quantity is Quantity.ANGLE}
     direction = reading.argument_in_role(DIRECTION, frame)
@@ -118,8 +139,12 @@ def with_duration(
 def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame) -> Reading:
     """Return a reading that says that the deed goes on: "*keep* saying hello".
 
-    "Keep going to the office" means to go on to the office, and "keep moving two metres" ends after two metres.
+    "Keep going to the office" means to go on to the office, "to the hall and the office" to go there again and again,
+    and "keep moving two metres" ends after two metres.
     """
+    goal = reading.argument_in_role(GOAL, frame)
+    if goal is not None and goal.separate_members and sentence.word(clause.verb).said in _KEEPING:
+        return replace(reading, control=replace(reading.control, is_kept_up=not reading.control.is_said))
     before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
     if before is None or before.said not in _KEEPING or before.deprel != ASIDE:
         return reading

@@ -40,12 +40,17 @@ _AUXILIARIES = (
 _CROSSING = word_class("prepositions_of_crossing")
 _DIRECTIONS = word_class("all_directions")
 _EACH = "each"
+_ENDS = word_class("first_of_all") | word_class("last_of_all")
+_BOTH = "both"
+_THEY = "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
 _FINITE = frozenset(["VBZ", "VBP"])
 _FORMS_OF_BE = word_class("forms_of_be") | word_class("nonfinite_forms_of_be")
 _OF_AMOUNTS = frozenset(["for", "by"])
 _OF_STATEMENTS = word_class("whether_words") | frozenset(["that"])
 _HEDGES = word_class("hedges")
+_ORDER = word_class("adverbs_of_order")
+_ONLY = word_class("restricting_adverbs")
 _PADDING = word_class("padding")
 _REASONS = word_class("reason_conjunctions")
 _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
@@ -148,6 +153,15 @@ class _Check:
         found = [word for word in self._words if word.head and word.head in heads and self._denies(word)]
         alone = (argument for argument in self._arguments if len(argument.positions) == 1)
         words = [self._tree.word(index) for argument in alone for index in argument.positions]
+        # "Visit the hall and the office, and after *both of them* the kitchen."
+        members = [
+            member
+            for argument in self._arguments
+            for member in argument.members
+            if member.lemma == _THEY or member.text.lower() in _ENDS
+        ]
+        pairs = [argument for argument in self._arguments if argument.lemma == _BOTH] + members
+        found += [self._tree.word(index) for pair in pairs if not pair.referents for index in pair.positions]
         return found + [word for word in words if word.said == _EACH]
 
     def _denies(self, word: Word) -> bool:
@@ -238,6 +252,7 @@ class _Check:
             self._is_of_argument,
             self._is_address,
             self._is_of_exclusion,
+            self._is_of_order,
             self._is_of_named_things,
         )
         return word.deprel == ABANDONED or any(judge(word) for judge in judges)
@@ -292,7 +307,32 @@ class _Check:
         form = word.said
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
         is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
-        return (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION)
+        if (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION):
+            return True
+        return word.deprel == ASIDE and word.index in self._around_avoided()
+
+    def _around_avoided(self) -> FrozenSet[int]:
+        """Return the positions of the words around a place to avoid: "*stay out of* the hall *at all times*"."""
+        words, found = self._tree.words, set()  # type: Sequence[Word], Set[int]
+        for border in (word for word in words if word.said == PREPOSITION and word.deprel == "case"):
+            inside = set(self._tree.subtree(border.head))
+            for step in (-1, 1):
+                index = border.index + step
+                while 0 < index <= len(words) and (words[index - 1].deprel == ASIDE or index in inside):
+                    found.add(index)
+                    index += step
+        return frozenset(found)
+
+    def _is_of_order(self, word: Word) -> bool:
+        """Whether a word puts a deed or a phrase behind the one before: "go to the hall, *next* greet Bob", "go to the
+        hall, *after that* to the office"."""
+        if word.index > word.head or word.head not in self._named:
+            return False
+        behind = self._tree.words[word.index].said
+        if word.deprel == ASIDE and word.said in _ONLY and behind in _ORDER:
+            return True  # "And *only then* the hall."
+        is_adverb = word.said in _ORDER and word.deprel == "advmod"
+        return is_adverb or (word.deprel == ASIDE and word.head in self._tree.sharing_a_verb)
 
     def _is_of_named_things(self, word: Word) -> bool:
         """Whether a word names things that are said one by one, too: "*two cups*, a red one and a blue one"."""

@@ -4,7 +4,17 @@ from dataclasses import replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clauses.conditions import is_auxiliary
-from semantic_framer.linking.deed_orders import deed_behind, end_order, item_order, times_at
+from semantic_framer.linking.deed_orders import (
+    deed_behind,
+    end_order,
+    ends_of_way,
+    first_order,
+    is_first_of_deeds,
+    is_last_of_deed,
+    item_order,
+    prohibition_behind,
+    times_at,
+)
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
@@ -12,10 +22,12 @@ from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.measures import find_amounts
-from utterance_passes.trees.tree import NOUNS
+from utterance_passes.trees.tree import NOUNS, VERBS
 from word_classes import word_class
 
 _BORDERS = word_class("clause_borders")
+_ENDS = word_class("first_of_all") | word_class("last_of_all")
+_GOING = word_class("verbs_of_going") | word_class("keeping_verbs")
 _TIMES = word_class("iteration_adverbs")
 _MANY = word_class("persons_among_many")
 
@@ -101,6 +113,7 @@ class _Finder:
                 self._conditions.checked,
                 self._manner,
                 self._conditions.of_persons,
+                self._forbidden,
                 *finders,
                 self._sequenced,
                 self._conditions.beforehand,
@@ -171,13 +184,50 @@ class _Finder:
             joint = self._said.joint(Link(times.kind), place, end, times.length, None)
             return replace(joint, number=times.number), end
         link, length = shipped_links().order_at(self._said.forms[place:])
+        if link is not None and link.kind in (LinkKind.ALTERNATING, LinkKind.RETURNING):
+            return self._between(link, place, length)
         if link is not None and (link.kind is LinkKind.AT_A_TIME or self._said.may_end(place + length)):
             return self._said.joint(link, place, place + length, length, None), place + length
         return None, 0
 
+    def _verbs_before(self, place: int) -> FrozenSet[str]:
+        """Return the verbs before a place, in their base form."""
+        return frozenset(word.lemma.lower() for word in self._said.words[:place] if word.upos in VERBS)
+
+    def _between(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
+        """Return words that say that the robot goes between two places, or several: "back and forth", "and back"."""
+        words, tree = self._said.words, self._said.sentence.tree
+        items, end = ends_of_way(tree), place + length
+        if self._said.forms[end : end + 1] == ["to"]:
+            place_behind = tree.governor(words[end])
+            if items and place_behind.lemma == tree.word(items[0]).lemma:
+                end = next(at for at, word in enumerate(words) if word is place_behind) + 1
+            elif not items and words[place - 1].upos in NOUNS and place_behind.upos in NOUNS:
+                # "To the hall *and back* to the office": a list.
+                items = (words[place - 1].index, words[end].index, place_behind.index)
+                return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, end, length, None), items=items), end
+            else:
+                return None, 0
+        if not items:
+            return None, 0
+        joint = self._said.joint(link, place, end, length, None)
+        is_going = tree.verb_above(tree.word(items[0])).lemma.lower() in _GOING
+        return replace(joint, items=items if is_going else ()), end  # One patrols "between", and goes "to".
+
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""
-        of_all = end_order(self._said.words, place, frozenset(word.lemma.lower() for word in self._said.words[:place]))
+        first = first_order(self._said.words, place)
+        if first is not None:
+            return replace(self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), order=first), place + 1
+        if is_first_of_deeds(self._said.words, place):
+            return self._said.joint(Link(LinkKind.BEFORE_THAT), place, place + 1, 1, None), place + 1
+        if is_last_of_deed(self._said.words, place):
+            return self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), place + 1
+        of_all = end_order(self._said.words, place, self._verbs_before(place))
+        if of_all is not None and of_all.length == 1:
+            end = next(at for at in range(place, len(self._said.words)) if self._said.words[at].said in _ENDS)
+            joint = self._said.joint(Link(LinkKind.IN_ORDER), end, end + 1, 1, None)
+            return replace(joint, order=of_all), end + 1
         if of_all is not None:
             link, behind = Link(LinkKind.IN_ORDER), place + of_all.length
             return replace(self._said.joint(link, place, behind, of_all.length, None), order=of_all), behind
@@ -191,8 +241,20 @@ class _Finder:
         # The items of a new list stay in the sentence.
         last = max(at for at in range(place, order.border) if self._said.words[at].upos in NOUNS)
         between = frozenset(word.index for word in self._said.words[last + 1 : order.border])
-        items = (self._said.words[last].index, self._said.words[order.border].index, self._said.words[end - 1].index)
+        items = (
+            self._said.words[last].index,
+            self._said.words[order.border].index,
+            self._said.words[order.second].index,
+        )
         return replace(joint, positions=between, first=items[1], order=order, items=items), end
+
+    def _forbidden(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return both ends of "*until you have* been to the hall*, stay out of the office*; then go there"."""
+        length = prohibition_behind(self._said.words, place)
+        if length:
+            return self._said.joint(Link(LinkKind.EXACTLY), place, place + length, length, None), place + length
+        comma = self._said.forms.index(",") if place == 0 and "," in self._said.forms else 0
+        return self._sequenced(place) if comma and prohibition_behind(self._said.words, comma) else (None, 0)
 
     def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return words before a deed that follows or precedes another one: "before you go", "after closing"."""
@@ -209,13 +271,16 @@ class _Finder:
         if kind is not LinkKind.MEANWHILE and is_front != (kind is LinkKind.BEFORE):
             kind = LinkKind.THEN  # The deeds are said in the order in which they are done.
         joint = self._said.joint(Link(kind), place, place + deed.length, deed.length, None)
-        return replace(joint, verb=deed.verb), place + deed.length
+        return replace(joint, verb=deed.verb, is_kept_out=deed.is_kept_out), place + deed.length
 
     def _joiner(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a joiner that stands before a deed: "otherwise wait", "first go to the kitchen"."""
         joiner, length = shipped_links().joiner_at(self._said.forms[place:])
         if any(self._said.words[place].index in time for time in self._said.sentence.tree.times):
             return None, 0  # "Next week" is a time.
+        behind = self._said.words[place + length : place + length + 1]
+        if length > 1 and behind and behind[0].said == "of":
+            return None, 0  # "*At the end* of the hall turn left."
         is_front = self._is_front(place) or self._is_otherwise(joiner, place + length)
         if joiner is None or not is_front or self._has_more(place, length):
             # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.

@@ -47,7 +47,7 @@ def items_apart(
     between = frozenset(index for index in listed.positions if index not in every)
     for member in members:
         own = positions - between - every.difference(member.positions)
-        said = sentence.text(sorted(own)).strip(" ,;.!?")
+        said = sentence.text(sorted(own - readings[0].control.positions)).strip(" ,;.!?")
         alone = tuple(
             replace(reading, arguments=_with(reading, listed, member), clause_text=said)
             for reading in readings

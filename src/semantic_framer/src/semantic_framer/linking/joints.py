@@ -26,9 +26,11 @@ class Joint:
         limit_s: longest time that was said for it; 0 for none
         when: a time of the clock
         verb: of the deed behind "before" or "after", its position; 0 for other words
+        is_kept_out: whether the robot keeps out of where the other deed leads until that deed is done
         number: a least or a largest number of times
         order: of two items of a list
-        items: positions of the first item, of the word between, and of the second item, if these words are the list
+        items: positions of the first item, of the word between, and of the second item, if these words are the list; of
+            the preposition of both, if the robot goes between them
         is_of_persons: whether they say what each of many persons does: "everybody *who comes in*"
     """
 
@@ -41,6 +43,7 @@ class Joint:
     limit_s: float = 0.0
     when: Optional[TimeExpression] = None
     verb: int = 0
+    is_kept_out: bool = False
     number: int = 0
     order: Optional[ItemOrder] = None
     items: Tuple[int, ...] = ()

@@ -32,11 +32,16 @@ _LISTS = ("checks", "adverbs", "adverbs_of_nearness")
 _WHETHER = word_class("whether_words")
 _NOT = word_class("not")
 _CONJUNCTIONS = word_class("linking_conjunctions") | {"or"}
+_ONLY = word_class("restricting_adverbs")
+_ITERATIONS = word_class("iteration_nouns")
+_WISHING = word_class("wishing_verbs") | {"want"}
 _HEADS_OF_ORDER = frozenset(["order", "sequence"])
 #: What says nothing about an order.
 _BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs") | frozenset(["particular", "special"])
 #: The most words of "in any order that you like" before and behind "order".
 _LONGEST_ORDER = 6
+#: Limits that need no preposition: "*minimum* two times".
+_ADVERBIAL = frozenset(["minimum", "maximum"])
 #: Comparatives of a limit: "no *more* than", "no *fewer* than".
 _COMPARATIVES = frozenset(["more", "longer"]), frozenset(["less", "fewer"])
 
@@ -64,8 +69,14 @@ class LinkKind(Enum):
     ANY_ORDER = "in any order"  # a list, or deeds, in any order
     IN_ORDER = "in this order"  # in the order in which they are said
     REVERSED = "in reverse order"  # the last one first
+    ROUND = "and so on"  # all deeds before it again and again
+    EXACTLY = "no more and no less"  # as often as was said
+    BEFORE_THAT = "before that"  # the last deed comes before the one before it
+    ALTERNATING = "back and forth"  # from the first to the last one and back, again and again
+    RETURNING = "and back"  # from the first to the last one and back
     FOREVER = "again and again"  # until something else ends it
     AT_A_TIME = "at a time"  # a part of it each time, again and again until something else ends it
+    TIMES = "times"  # so many times
     AT_LEAST = "at least"  # so many times or more
     AT_MOST = "at most"  # so many times or fewer
 
@@ -141,7 +152,7 @@ class Links:
         if joiner is not None:
             return joiner, length
         place = 0
-        while forms[place : place + 1] and forms[place] in _CONJUNCTIONS:
+        while forms[place : place + 1] and forms[place] in _CONJUNCTIONS | _ONLY:
             place += 1
         joiner, length = self.joiners.at(forms[place:])
         if joiner is None:
@@ -215,7 +226,7 @@ class Links:
             return self.kinds_of_order["given"], head + 2
         more = _relative_length(behind)
         if more and not kinds:
-            kinds = [self.kinds_of_order["any" if behind[more - 1] == "like" else "given"]]
+            kinds = [self.kinds_of_order["any" if behind[more - 1] in _WISHING else "given"]]
         return (kinds[-1], head + 1 + more) if kinds else (None, 0)
 
     def count_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
@@ -223,23 +234,33 @@ class Links:
         kind, length = self._limit_at(forms)
         return (Link(kind), length) if kind is not None else (None, 0)
 
+    def choice_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the words behind a number that make a bound of it, and their number: "or more", "or less"."""
+        more, less = _COMPARATIVES
+        if list(forms[:1]) != ["or"] or len(forms) < 2 or forms[1] not in more | less:
+            return None, 0
+        return Link(LinkKind.AT_LEAST if forms[1] in more else LinkKind.AT_MOST), 2
+
     def has_manner(self, forms: FrozenSet[str]) -> bool:
         """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
         near = (phrase for form in forms for phrase, _ in self.orders.begins_with(form))
-        words = _HEADS_OF_ORDER | self.limits.keys() | {"than", "up"}
+        more, less = _COMPARATIVES
+        words = _HEADS_OF_ORDER | self.limits.keys() | more | less | _ONLY | _ITERATIONS | {"than", "up"}
         return bool(forms & words) or any(forms.issuperset(words) for words in near)
 
     def _limit_at(self, forms: Sequence[str]) -> Tuple[Optional[LinkKind], int]:
         """Return whether words in lower case begin with a least or a largest number, and the number of words of the
         limit: "at the most", "no fewer than", "a maximum of".
         """
-        place = int(list(forms[:1]) == ["but"])
+        place = int(list(forms[:1]) in (["but"], ["on"]))
         said = list(forms[place : place + 3])
         if said[:2] == ["up", "to"]:
             return LinkKind.AT_MOST, place + 2
         if said[:2] == ["at", "the"]:
             said, place = ["at", *forms[place + 2 : place + 3]], place + 1
         limit = self.limits.get(said[1]) if len(said) > 1 else None
+        if said[:1] and said[0] in _ADVERBIAL and said[0] in self.limits:
+            return self.limits[said[0]].kind, place + 1
         if limit is not None and said[0] == "at":
             return limit.kind, place + 2
         if limit is not None and said[0] == "a" and said[2:] == ["of"]:
@@ -274,7 +295,7 @@ _JOINERS = {
 def _relative_length(forms: List[str]) -> int:
     """Return the number of words of a relative clause behind "order": "that you like", "in which I named them"."""
     place = 1 if forms[:1] == ["that"] else 2 if forms[:2] == ["in", "which"] else 0
-    if forms[place : place + 2] == ["you", "like"]:
+    if forms[place : place + 1] == ["you"] and forms[place + 1 : place + 2] and forms[place + 1] in _WISHING:
         return place + 2
     is_named = forms[place : place + 1] == ["i"] and forms[place + 1 : place + 2] in (["named"], ["said"])
     return place + 3 if is_named and forms[place + 2 : place + 3] == ["them"] else 0

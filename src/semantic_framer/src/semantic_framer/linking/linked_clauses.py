@@ -3,18 +3,21 @@
 from dataclasses import replace
 from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
-from semantic_framer.filling.control import going_on, has_end
+from semantic_framer.clauses.event_conditions import CONDITION_OF_DEED
+from semantic_framer.filling.control import going_on, has_end, is_turn_assumed
 from semantic_framer.linking.item_lists import has_items, items_apart
 from semantic_framer.linking.link_file import LinkKind
-from semantic_framer.units.frame_roles import STOPPING
+from semantic_framer.units.frame_roles import GOAL, PATROLLING, STOPPING
 from semantic_framer.units.framed_lexicon import FramedLexicon
-from semantic_framer.values.clause_plan import PlanPart
+from semantic_framer.values.clause_plan import PlanPart, leaves_of
 from semantic_framer.values.condition_part import ConditionPart, happens
-from semantic_framer.values.reading import Reading
+from semantic_framer.values.reading import Reading, with_argument
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause
 from word_classes import word_class
 
+#: The element of a place to keep out of.
+AVOIDED = "avoided"
 _CONTINUING = word_class("continuing_verbs")
 #: Words between two deeds that belong to neither.
 JOINING = word_class("linking_conjunctions") | {";"}
@@ -130,6 +133,36 @@ class LinkedClauses:
             found.append(Node(part, positions))
         return found or [node]
 
+    def again(self, node: Node) -> Node:
+        """Return a node that does the deed of another one once more."""
+        place = node.part.clause
+        clause = self._add(self.readings[place], self.positions[place], self.firsts[place])
+        return Node(replace(node.part, clause=clause), node.positions)
+
+    def is_turn_assumed(self, clause: int) -> bool:
+        """Whether a clause is a turn of which nobody said how far it goes."""
+        reading = self.readings[clause][0]
+        return is_turn_assumed(reading, self._known.frames[reading.unit.frame_name])
+
+    def is_endless(self, clause: int) -> bool:
+        """Whether a clause goes on until something ends it: "patrol the hall"."""
+        return self._known.frames[self.readings[clause][0].unit.frame_name].framenet == PATROLLING
+
+    def keep_out(self, node: Node, of: Node) -> None:
+        """Let the robot keep out of where a deed leads while it does another one.
+
+        Raises:
+            NoStructure: no server could keep out of it
+        """
+        frames, place = self._known.frames, node.part.clause
+        best = [self.readings[part.clause][0] for part in leaves_of(of.part)]
+        goals = [reading.argument_in_role(GOAL, frames[reading.unit.frame_name]) for reading in best]
+        able = [reading for reading in self.readings[place] if frames[reading.unit.frame_name].element(AVOIDED)]
+        if len(goals) != 1 or goals[0] is None or goals[0].members or not able:
+            raise NoStructure("what the robot cannot keep out of")
+        avoided = replace(goals[0], name=AVOIDED)
+        self.readings[place] = tuple(with_argument(reading, avoided) for reading in able)
+
     def has_items(self, clause: int) -> bool:
         """Whether a clause has a list of things or places."""
         return has_items(self.readings[clause])
@@ -142,6 +175,19 @@ class LinkedClauses:
     def happens(self, condition: ConditionPart) -> bool:
         """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
         return happens(condition, self._sentence.tree, self._known.frames)
+
+    def is_new_deed(self, condition: ConditionPart, first: int) -> bool:
+        """Whether a condition is that the robot has done something which nobody told it to do in the words before it.
+
+        Args:
+            condition: the condition
+            first: position of the first word of its link
+        """
+        if condition.reading is None or condition.reading.unit.frame_name != CONDITION_OF_DEED:
+            return False
+        words = [self._sentence.word(index) for index in sorted(condition.positions)]
+        said = {word.lemma.lower() for word in self._sentence.tree.words[: first - 1]}
+        return not any(word.upos == "VERB" and word.lemma.lower() in said for word in words)
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

@@ -32,7 +32,7 @@ _BEGINNING = (
     LinkKind.AFTER,
 )
 #: Words that are no unit of their own.
-_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER)
+_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER, LinkKind.EXACTLY)
 
 
 @dataclass(frozen=True)
@@ -104,6 +104,8 @@ class _Builder:
         if LinkKind.AT_A_TIME in kinds and not kinds & {LinkKind.UNTIL, LinkKind.WHILE}:
             raise Open('How often? Say it with "until", for instance: "until the table is empty".')
         self._orders: List[ItemOrder] = [joint.order for joint in joints if joint.order is not None]
+        #: Prohibitions before the deed that ends them.
+        self._fronts = [joint for joint in joints if joint.is_kept_out and joint.kind is LinkKind.THEN]
         self._table = LinkedClauses(sentence, known, deeds)
         self._nodes = PlanNodes(self._table)
         self._units = self._in_order(joints)
@@ -130,12 +132,18 @@ class _Builder:
     def build(self) -> Tuple[Clauses, PlanPart]:
         nodes: List[Node] = []
         while self._place < len(self._units):
-            if nodes and self._now is not None and self._now.kind in ORDERS:
+            if nodes and self._is_now(LinkKind.BEFORE_THAT):
+                nodes = [self._before_those(nodes)]
+            elif nodes and (self._is_now(LinkKind.ROUND) or self._is_now(LinkKind.FOREVER)):
+                self._take()
+                nodes = [self._nodes.again_and_again(nodes)]
+            elif nodes and self._now is not None and self._now.kind in ORDERS:
                 nodes = [self._nodes.ordered(self._take().kind, nodes)]
             else:
                 nodes.append(self._statement())
         if self._orders:
             raise NoStructure("an order of what is in no list")
+        _keep_out(self._table, self._fronts, nodes)
         try:
             plan = with_orders_at_the_root(self._nodes.sequence(nodes).part)
         except NotAlone as words:
@@ -154,6 +162,15 @@ class _Builder:
 
     def _is_now(self, kind: LinkKind) -> bool:
         return self._now is not None and self._now.kind is kind
+
+    def _before_those(self, nodes: List[Node]) -> Node:
+        """Read words that put a deed before all others: "..., *but first* go to the hall", "... *before that*"."""
+        self._take()
+        if self._now is not None and self._now.joint is None:
+            return self._nodes.sequence([*self._scope(is_conditional=False), *nodes])
+        if len(nodes) < 2:
+            raise NoStructure("an order of one deed")
+        return self._nodes.sequence([nodes[-1], *nodes[:-1]])
 
     def _statement(self) -> Node:
         """Read a link at the front with what it joins, or a deed."""
@@ -217,14 +234,20 @@ class _Builder:
         """Read a deed with the links behind it."""
         unit = self._take()
         node = Node(part_of(self._table.readings[unit.clause][0], unit.clause), self._table.positions[unit.clause])
-        node = self._sorted(node)
+        listed = node
+        node = self._sorted(listed)
         while self._now is not None and self._now.is_link and self._is_behind():
             link = self._take()
             self._must_belong_to(unit, link)
-            if link.kind in ORDERS:
+            if link.kind in ORDERS and (node is listed or link.kind is not LinkKind.ANY_ORDER):
                 node = self._nodes.ordered(link.kind, [node])
+            elif link.kind in ORDERS:
+                continue  # "The hall first, then the others in any order": the order in which they were said is one.
             elif link.kind is LinkKind.AFTER:
-                node = self._nodes.sequence([self._next_deed(), node])
+                first = self._next_deed()
+                if link.joint is not None and link.joint.is_kept_out:
+                    self._table.keep_out(first, node)
+                node = self._nodes.sequence([first, node])
             elif self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
                 node = self._joined(link, [node], self._otherwise(link))
             else:
@@ -269,13 +292,15 @@ class _Builder:
         link = self._units[self._place]
         following = self._units[self._place + 1] if self._place + 1 < len(self._units) else None
         is_last = following is None or following.begins_sentence or following.kind in _JOINERS
-        if link.begins_sentence:
+        if link.begins_sentence or link.kind in (LinkKind.BEFORE_THAT, LinkKind.ROUND):
             return False
         if link.kind in ORDERS:
             before = self._units[self._place - 1]
             return before.joint is None and (
                 self._table.has_items(before.clause) or self._table.is_of_all(before.clause)
             )
+        if link.kind is LinkKind.FOREVER and "," in link.before and self._place > 1:
+            return False  # "Go to the hall, then to the office, again and again."
         if link.kind in COUNTS or link.kind is LinkKind.AFTER:
             return True
         if link.before & JOINING:
@@ -306,6 +331,16 @@ class _Builder:
         is_joined = before is not None and before.joint is None and not deed.begins_sentence
         if is_joined and link.kind in _BEGINNING and "then" not in deed.before:
             raise Open(self._which(link))
+
+
+def _keep_out(table: LinkedClauses, fronts: Sequence[Joint], nodes: Sequence[Node]) -> None:
+    """Let the robot keep out of a place before the deed there: "*do not enter the hall until you have* been to"."""
+    for first, then in zip(nodes, nodes[1:]):
+        if any(joint.verb in first.positions for joint in fronts):
+            table.keep_out(first, then)
+            return
+    if fronts:
+        raise NoStructure("what the robot cannot keep out of")
 
 
 def _with_delays_outside(links: List[_Unit]) -> List[_Unit]:

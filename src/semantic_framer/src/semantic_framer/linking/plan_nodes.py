@@ -5,14 +5,18 @@ from typing import List, Optional, Sequence
 
 from semantic_framer.linking.joints import Joint
 from semantic_framer.linking.link_file import LinkKind
-from semantic_framer.linking.linked_clauses import LinkedClauses, Node, NoStructure
+from semantic_framer.linking.linked_clauses import LinkedClauses, Node, NoStructure, Open
 from semantic_framer.values.clause_plan import PlanPart
 from typed_arguments import TimeExpression
+from word_classes import word_class
 
 #: How the items of a list, or several deeds, are done.
-ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED)
+ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED, LinkKind.ALTERNATING, LinkKind.RETURNING)
+_UNTIL = word_class("conjunctions_of_ends")
+#: How the robot goes between the items.
+_BETWEEN = (LinkKind.ALTERNATING, LinkKind.RETURNING)
 #: How often a deed is done.
-COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST)
+COUNTS = (LinkKind.FOREVER, LinkKind.AT_A_TIME, LinkKind.AT_LEAST, LinkKind.AT_MOST, LinkKind.TIMES)
 
 
 class PlanNodes:
@@ -53,6 +57,8 @@ class PlanNodes:
         if joint.kind in ORDERS:
             return self.ordered(joint.kind, body)
         if joint.kind in COUNTS:
+            if joint.number == 1 and child.part.kind == "DO" and self._table.is_turn_assumed(child.part.clause):
+                raise NoStructure("how far to turn")  # "Turn around only once."
             return Node(_repeated(child.part, label, joint), positions)
         said = joint.condition
         if said is None:
@@ -64,6 +70,12 @@ class PlanNodes:
             joint = replace(joint, kind=LinkKind.WHEN) if is_stop or self._table.happens(said) else joint
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
+        # "Do not enter until you have knocked" waits for what comes first.
+        is_when = joint.kind is LinkKind.WHEN and joint.words.lower() not in _UNTIL
+        if is_when and self._table.is_new_deed(said, joint.first):
+            # "Once you have visited the hall, go to the office": nobody told the robot to visit the hall.
+            words = self._table.label(said.positions)
+            raise Open(f'Should I do this first, or wait for it: "{words}"? Say "first ..." or "wait until ...".')
         is_opposite = joint.kind is LinkKind.UNLESS
         condition = self._table.condition(said, is_opposite, joint.kind)
         if joint.kind in (LinkKind.IF, LinkKind.UNLESS):
@@ -116,22 +128,56 @@ class PlanNodes:
         Raises:
             NoStructure: there is only one deed, without a list
         """
+        times = nodes[0].part if len(nodes) == 1 and nodes[0].part.kind == "REPEAT" else None
+        if times is not None and kind in _BETWEEN:
+            nodes = [_with_part(nodes[0], times.children[0])]
         if len(nodes) == 1 and nodes[0].part.kind == "DO":
             nodes = self._table.items(nodes[0])
         elif len(nodes) == 1 and nodes[0].part.kind == "SEQUENCE":
             nodes = [Node(part, nodes[0].positions) for part in nodes[0].part.children]
         if len(nodes) == 1 and kind is LinkKind.ANY_ORDER and self._table.is_of_all(nodes[0].part.clause):
             return nodes[0]  # The server that visits all rooms chooses the order itself.
+        if len(nodes) == 1 and kind is LinkKind.ALTERNATING and self._table.is_endless(nodes[0].part.clause):
+            return nodes[0]  # "Patrol back and forth between ...".
         if len(nodes) < 2:
             raise NoStructure("an order of one deed")
         if kind is LinkKind.REVERSED:
             return self.sequence(nodes[::-1])
+        if kind in _BETWEEN:
+            count = times.count if times is not None else 0
+            return self._alternating(nodes, count or int(kind is LinkKind.RETURNING))
         return self.several("ANY_ORDER", nodes)
+
+    def again_and_again(self, nodes: List[Node]) -> Node:
+        """Return all deeds, done again and again: "go to the hall, then to the office, *and so on*"."""
+        all_of_them = self.sequence(nodes)
+        part = all_of_them.part
+        if part.kind in ("UNTIL", "WHILE") or (part.kind == "REPEAT" and not part.is_endless):
+            raise NoStructure("two ways to repeat")
+        return _with_part(all_of_them, part if part.is_endless else PlanPart("REPEAT", part.label, (part,)))
+
+    def _alternating(self, nodes: List[Node], times: int) -> Node:
+        """Return deeds that are done in turn: without an end, or so many times each way."""
+        there = self.sequence(nodes)
+        if not times or len(nodes) > 2:
+            return _with_part(there, PlanPart("REPEAT", there.part.label, (there.part,), count=times, most=times))
+        back = self.sequence([nodes[1], self._table.again(nodes[0])])
+        if times == 1:
+            return self.several("SEQUENCE", [nodes[0], back])
+        again = PlanPart("REPEAT", there.part.label, (back.part,), count=times, most=times)
+        return self.several("SEQUENCE", [nodes[0], _with_part(there, again)])
+
+
+def _with_part(node: Node, part: PlanPart) -> Node:
+    return Node(part, node.positions)
 
 
 def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
     """Return a deed that is done so many times at least or at most, or again and again."""
-    if part.kind in ("REPEAT", "UNTIL", "WHILE"):
+    if part.is_endless and joint.kind is LinkKind.FOREVER:
+        return part
+    if part.kind in ("REPEAT", "UNTIL", "WHILE", "AT", "WHENEVER"):
         raise NoStructure("two ways to repeat")
-    least = joint.number if joint.kind is LinkKind.AT_LEAST else 0
-    return PlanPart("REPEAT", label, (part,), count=least, most=joint.number if joint.kind is LinkKind.AT_MOST else 0)
+    least = 0 if joint.kind is LinkKind.AT_MOST else joint.number
+    most = 0 if joint.kind is LinkKind.AT_LEAST else joint.number
+    return PlanPart("REPEAT", label, (part,), count=least, most=most)

@@ -39,9 +39,15 @@ _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_
 _MANNERS = (
     LinkKind.ANY_ORDER,
     LinkKind.IN_ORDER,
+    LinkKind.EXACTLY,
+    LinkKind.BEFORE_THAT,
+    LinkKind.ROUND,
     LinkKind.REVERSED,
+    LinkKind.ALTERNATING,
+    LinkKind.RETURNING,
     LinkKind.FOREVER,
     LinkKind.AT_A_TIME,
+    LinkKind.TIMES,
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
@@ -55,6 +61,8 @@ _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 _DOWNWARD = word_class("directions_of_sitting")
 _LASTING = word_class("lasting_verbs")
 #: Relations of a verb that depends on the one before it.
+_DONE = frozenset(["having"])
+_OF_TIMES = frozenset(["advmod", "obl:unmarked"])
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
 
@@ -199,11 +207,15 @@ def _without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) ->
 
 
 def _with_lists(tree: DependencyTree, joints: Joints) -> DependencyTree:
-    """Make a list of two items whose order is said: "the office *after* the hall"."""
+    """Make a list of two items whose order is said, or between which the robot goes: "the office *after* the hall",
+    "*from* the office *to* the hall".
+    """
     edit = TreeEdit(tree)
     for joint in joints.found:
+        if len(joint.items) > 3:
+            edit.respell(joint.items[3], "to")
         if joint.items:
-            one, border, other = joint.items
+            one, border, other = joint.items[:3]
             edit.respell(border, "and")
             edit.retag(border, "CCONJ", "CC")
             edit.rehang(border, other, "cc")
@@ -219,12 +231,24 @@ def _with_deeds_apart(tree: DependencyTree, joints: Joints) -> DependencyTree:
     for word in tree.words:
         if word.index in deeds:
             # "After *closing* the door" and "before you *close* it" command what "close it" commands.
+            is_been = word.deprel == "cop" and tree.word(word.index + 1).said == "to"
+            lemma = "go" if is_been else word.lemma.lower()
+            if is_been:
+                # "After you have *been* to the hall": the place is the head.
+                above = tree.governor(word).head
+                edit.rehang(word.index, above, "parataxis" if above else "root")
+                edit.rehang(word.head, word.index, "obl")
             edit.retag(word.index, "VERB", "VB")
-            edit.respell(word.index, word.lemma.lower(), word.lemma.lower())
+            edit.respell(word.index, lemma, lemma)
+            comma = next((one.index for one in tree.words[word.index :] if one.form == ","), len(tree.words))
+            end = comma if word.head > word.index else len(tree.words)
+            for other in tree.children(word.head) if word.deprel != "cop" else ():
+                if word.index < other.index < end and other.deprel in _OF_TIMES:
+                    edit.rehang(other.index, word.index)  # "Go to the hall after visiting the office *twice*."
         if word.index in joining or word.upos != "VERB" or word.deprel not in _DEPENDENT:
             continue
         marks = [child for child in tree.children(word.index) if child.index in joining and child.deprel == "mark"]
-        if marks or word.head in joining:
+        if marks or word.head in joining or word.index in deeds:
             edit.relabel(word.index, "parataxis")
     return edit.tree()
 
@@ -374,10 +398,13 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     said = frozenset(word.said for word in sentence.tree.open_words)
     links = shipped_links()
     has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
-    if not links.has_manner(said) and not has_order and not said & _MANY:
+    if not links.has_manner(said) and not has_order and not said & (_MANY | _DONE):
         return Joints()
     joints = find_joints(sentence, known)
     is_meant = any(joint.kind in _MANNERS or joint.is_of_persons for joint in joints.found)
+    # "*Having been* to the hall, go to the office" reports nothing, and "go *only after that*" follows nobody.
+    is_meant = is_meant or any(joint.verb and sentence.word(joint.first).said in _DONE for joint in joints.found)
+    is_meant = is_meant or any(joint.kind is LinkKind.THEN and "only" in joint.words.split() for joint in joints.found)
     return joints if is_meant else Joints()
 
 

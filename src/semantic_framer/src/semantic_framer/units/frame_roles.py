@@ -5,6 +5,8 @@ from typing import FrozenSet, Mapping
 #: FrameNet's names of saying something to somebody, and of ending one's motion.
 TELLING = "Telling"
 STOPPING = "Halt"
+#: FrameNet's name of what has no end of its own.
+PATROLLING = "Patrolling"
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 #: Who or what moves along with the robot.

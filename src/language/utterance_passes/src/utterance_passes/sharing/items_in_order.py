@@ -10,6 +10,7 @@ from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
 _ORDER = word_class("adverbs_of_order")
+_ONLY = word_class("restricting_adverbs")
 _BORDERS = frozenset([",", "and", "then"])
 #: Relations of an item that the parser attaches to the verb or to another item.
 _OF_ITEMS = frozenset(["conj", "parataxis", "appos", "dep", "vocative"])
@@ -39,6 +40,9 @@ def items_in_order(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if item is None or first is None:
             continue
         edit.rehang(adverb.index, item.index, ASIDE)
+        before = tree.word(adverb.index - 1)
+        if before.said in _ONLY and before.head == item.index:
+            edit.relabel(before.index, ASIDE)  # "And *only* then the hall."
         if item.head != first.index:
             edit.rehang(item.index, first.index, "conj")
     return edit.tree()
@@ -54,7 +58,7 @@ def _item(tree: DependencyTree, adverb: Word) -> Optional[Word]:
         return None
     if any(child.deprel in ("case", "cop") or child.deprel.startswith("nsubj") for child in children):
         return None
-    is_set_off = tree.word(adverb.index - 1).said in _BORDERS
+    is_set_off = tree.word(adverb.index - 1).said in _BORDERS | _ONLY
     return item if is_set_off else None
 
 
