@@ -237,9 +237,9 @@ def test_groups_of_packages_use_each_other_one_way() -> None:
 
     groups = {package.name: group(package) for package in PACKAGES}
     graph: Dict[str, Set[str]] = {}
-    for package in PACKAGES:
-        below = {groups[other] for other in packages_imported(package)}
-        graph.setdefault(group(package), set()).update(below - {group(package)})
+    for one in PACKAGES:
+        below = {groups[other] for other in packages_imported(one)}
+        graph.setdefault(group(one), set()).update(below - {group(one)})
     assert "semantic_framer" in graph["pipeline"]
     assert circle(graph) == []
 

@@ -47,7 +47,6 @@ def meant(home: Pipeline, text: str) -> Tuple[str, ...]:
     "text",
     [
         "Bring me the mug that you washed.",
-        "Bring me the mug you have washed.",
         "When Anna comes, bring me the mug that you washed.",
     ],
 )

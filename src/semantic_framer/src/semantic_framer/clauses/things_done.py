@@ -12,10 +12,12 @@ from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.clause_features import Aspect, features_of
 from semantic_framer.values.outcome import Refusal
 from semantic_framer.values.reading import Reading
+from semantic_framer.values.sentence import Sentence
 from typed_arguments import EmbeddedFrame, TypedArgument
 from utterance_passes.engine.trace import Trace
 from utterance_passes.phrases.clauses import Clause
 from utterance_passes.phrases.verb_matching import match_verbs
+from utterance_passes.trees.tree_edits import TreeEdit
 from word_classes import word_class
 
 #: FrameNet's frame of seeing something.
@@ -57,7 +59,7 @@ def told_by_deeds(
 def _deed_of_robot(case: Case, clause: Clause) -> Optional[DeedClause]:
     """Return the deed of the robot that is over by now, of which a relative clause tells; None for others."""
     features = features_of(case.sentence.tree, clause.verb)
-    deed = DeedClause(case, clause.verb, features)
+    deed = DeedClause(replace(case, sentence=_with_thing(case, clause)), clause.verb, features)
     is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
     if not (deed.is_of_robot and is_over and match_verbs(case.sentence.tree, clause, case.known)):
         return None
@@ -68,12 +70,35 @@ def _deed_of_robot(case: Case, clause: Clause) -> Optional[DeedClause]:
     return None if is_seen and deed.deed() is None else deed
 
 
+def _stand_in(case: Case, clause: Clause) -> int:
+    """Return the position of the word that stands for the thing in a relative clause, "that"; 0 if none does."""
+    inside = case.sentence.subtree(clause.verb)
+    found = [index for index in sorted(inside) if case.sentence.word(index).said in _RELATIVE_WORDS]
+    return found[0] if found and case.sentence.word(found[0]).upos == "PRON" else 0
+
+
+def _with_thing(case: Case, clause: Clause) -> Sentence:
+    """Return the sentence with the thing in its relative clause: "the door (you closed *door*)".
+
+    What was done follows from what it was done to: a table is cleaned in another way than a room.
+    """
+    stand_in = _stand_in(case, clause)
+    if not stand_in:
+        return case.sentence
+    thing = case.sentence.tree.governor(case.sentence.word(clause.verb))
+    edit = TreeEdit(case.sentence.tree)
+    edit.drop_brackets()
+    edit.respell(stand_in, thing.form, thing.lemma)
+    edit.retag(stand_in, thing.upos)
+    return case.sentence.attached(edit.tree())
+
+
 def _description(case: Case, clause: Clause, of: DeedClause) -> Optional[EmbeddedFrame]:
     """Return a deed as the description of the thing that it was done to; None where it is not clear what was done."""
     deed = of.deed()
     if deed is None:
         return None
-    gap = _gap(case, deed)
+    gap = _gap(case, clause, deed)
     if not gap:
         return None
     positions = sorted(case.sentence.subtree(clause.verb))
@@ -93,15 +118,18 @@ def _description(case: Case, clause: Clause, of: DeedClause) -> Optional[Embedde
     )
 
 
-def _gap(case: Case, deed: Reading) -> str:
+def _gap(case: Case, clause: Clause, deed: Reading) -> str:
     """Return the element of a deed that the thing fills which it describes; empty where that is not clear."""
-    stands_in = [one.name for one in deed.arguments if _is_relative(case, one)]
+    stand_in = _stand_in(case, clause)
     missing = [one.name for one in deed.asked]
-    return stands_in[0] if len(stands_in) == 1 and not missing else missing[0] if len(missing) == 1 else ""
-
-
-def _is_relative(case: Case, argument: TypedArgument) -> bool:
-    return argument.head_position > 0 and case.sentence.word(argument.head_position).said in _RELATIVE_WORDS
+    if stand_in:
+        filled = [one.name for one in deed.arguments if one.head_position == stand_in]
+        return filled[0] if len(filled) == 1 and not missing else ""
+    # "The door you closed": nothing there says of what kind it is that was closed.
+    units = case.known.units_of(clause.lemma)
+    names = {unit.frame_name for unit in units if unit.frame_name in case.known.frames}
+    acting = {name for name in names if case.known.frames[name].acts}
+    return missing[0] if len(missing) == 1 and acting == {deed.unit.frame_name} else ""
 
 
 def _with(case: Case, read: ClauseReadings, clause: Clause, description: EmbeddedFrame) -> ClauseReadings:
