@@ -304,6 +304,7 @@ class WebConsoleTest(unittest.TestCase):
 
     def test_7_line_stays_and_nothing_breaks_or_overlaps(self) -> None:
         page = self.page
+        page.run("document.getElementById('state-text').textContent = 'Going to the newspaper in the living room'")
         for size in (WINDOW, PROJECTOR, TELEPHONE):
             page.resize(*size)
             for part in ("talk", "map", "plan", "more") if size == TELEPHONE else ("talk",):
@@ -320,6 +321,7 @@ class WebConsoleTest(unittest.TestCase):
             page.run("document.getElementById('note').hidden = false")
             self.assertEqual(page.run(places), before, "a banner moves nothing")
             page.run("document.getElementById('note').hidden = true")
+        page.run("document.getElementById('state-text').textContent = 'Ready'")
         page.run("document.querySelector('.person').style.width = '2.2rem'")
         page.run("document.querySelector('.person').style.wordBreak = 'break-all'")
         self.assertNotEqual(page.run(BROKEN), [], "a broken word is found")
