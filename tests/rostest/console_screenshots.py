@@ -18,6 +18,8 @@ from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
 
 SIZE = (1360, 900)
+#: What engineers see is longer than a screen.
+LONG = (1360, 1580)
 #: Of the animated picture.
 FRAME_S, FRAMES, SMALL, SCALE = 0.3, 18, (1240, 840), 0.75
 
@@ -54,6 +56,16 @@ def webp(browser: ConsoleBrowser) -> bytes:
     return base64.b64decode(shown["data"])
 
 
+def plot(browser: ConsoleBrowser, which: str, name: str) -> None:
+    """Have a number drawn over time."""
+    select = f"#plots .{which} select"
+    wait_until(lambda: name in browser.texts(f"{select} option"), message=lambda: browser.texts(f"{select} option"))
+    browser.run(
+        f"(() => {{ const one = document.querySelector('{select}'); one.value = "
+        f"[...one.options].find((each) => each.text === {name!r}).value; one.dispatchEvent(new Event('change')); }})()"
+    )
+
+
 def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     """What engineers see while a command runs, a question on a telephone, and a command as an animated picture."""
     wait_for_pipeline(("turning", "saying"))
@@ -62,10 +74,24 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     browser.say("Say hello to Alice in two hours.")
     browser.reply()
     wait_until(lambda: browser.texts("#orders b"))
-    browser.say("Turn left 120 degrees.")
+    browser.say("Where are you?")
+    browser.reply()
+    browser.resize(*LONG)
+    browser.find("#filter")[0].send_keys("turn")
+    browser.run("document.querySelectorAll('#senses, #past-details').forEach((one) => { one.open = true; })")
+    plot(browser, "one", "odom: heading (degrees)")
+    plot(browser, "other", "odom: turning speed (rad/s)")
+    wait_until(lambda: browser.find("#past summary"))
+    browser.find("#past summary")[0].click()
+    browser.click("#past .verdicts button", "Right")
+    browser.say("Turn right 100 degrees.")
+    browser.reply()
+    browser.say("Turn left 240 degrees.")
     wait_until(lambda: browser.find(".box.active") and browser.pose()["heading"] > 50)
     browser.screenshot(str(folder / "console.png"))
     browser.reply()
+    browser.run("document.querySelectorAll('#senses, #past-details').forEach((one) => { one.open = false; })")
+    browser.find("#filter")[0].clear()
     browser.say("Turn right 45 degrees with a smile.")
     browser.reply()
     browser.resize(*TELEPHONE)

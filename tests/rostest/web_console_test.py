@@ -8,7 +8,7 @@ import shutil
 import signal
 import unittest
 import urllib.request
-from typing import Iterator, List, Optional
+from typing import Iterator, List, Optional, Set
 
 import rosgraph
 import rospy
@@ -56,6 +56,12 @@ def alive(node: str) -> Optional[int]:
         return None
 
 
+def heard_by_page() -> Set[str]:
+    """Return the topics that the node of the page hears."""
+    _, subscribers, _ = rosgraph.Master("/web_console_test").getSystemState()
+    return {topic for topic, nodes in subscribers if "/web_console" in nodes}
+
+
 @contextlib.contextmanager
 def suspended(processes: List[int]) -> Iterator[None]:
     """Suspend processes for the time of a block."""
@@ -77,6 +83,7 @@ class WebConsoleTest(unittest.TestCase):
         cls.speed = 0.0
         cls.subscriber = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1)
         wait_until(lambda: rospy.has_param("web_console/url"), message="the page is not there")
+        cls.heard_before = heard_by_page()
         # The browser starts while the parser loads its models.
         cls.page = ConsoleBrowser(rospy.get_param("web_console/url"))
         wait_for_pipeline(("turning", "moving_forward"))
@@ -94,6 +101,12 @@ class WebConsoleTest(unittest.TestCase):
         """Frame and state of each box of the plan."""
         boxes = "[...document.querySelectorAll('.box')]"
         return list(self.page.run(f"{boxes}.map((one) => one.dataset.frame + ' ' + one.dataset.state)"))
+
+    def test_1_page_hears_what_a_robot_says_all_the_time_only_while_somebody_looks(self) -> None:
+        frequent = {"/odom", "/cmd_vel", "/turning/status"}
+        self.assertIn("/reply", self.heard_before)
+        self.assertEqual(self.heard_before & frequent, set())
+        wait_until(lambda: frequent <= heard_by_page(), message=heard_by_page)
 
     def test_1_command_is_shown_from_its_parse_to_its_reply(self) -> None:
         # The page asks for the odometry when the first browser opens it.
@@ -271,13 +284,7 @@ class WebConsoleTest(unittest.TestCase):
             wait_until(lambda: "front camera" in page.texts("#cameras option"), message=lambda: page.texts("#senses"))
             wait_until(lambda: page.run("document.querySelector('img.camera').naturalWidth") == 64)
             page.click("#engineer", "Engineer's view")
-            wait_until(lambda: "odom: heading (degrees)" in page.texts("#plots .one option"))
-            page.run(
-                "(() => { const one = document.querySelector('#plots .one select'); one.value = "
-                "[...one.options].find((each) => each.text === 'odom: heading (degrees)').value; "
-                "one.dispatchEvent(new Event('change')); })()"
-            )
-            wait_until(lambda: "L" in str(page.run("document.querySelector('#plots .one path').getAttribute('d')")))
+            self.choose_number("odom: heading (degrees)")
             page.click("#engineer", "Engineer's view")
             page.find("#senses summary")[0].click()
             wait_until(lambda: publisher.get_num_connections() == 0, message="the camera is heard, and nobody looks")
@@ -297,6 +304,7 @@ class WebConsoleTest(unittest.TestCase):
 
     def test_7_line_stays_and_nothing_breaks_or_overlaps(self) -> None:
         page = self.page
+        page.run("document.getElementById('state-text').textContent = 'Going to the newspaper in the living room'")
         for size in (WINDOW, PROJECTOR, TELEPHONE):
             page.resize(*size)
             for part in ("talk", "map", "plan", "more") if size == TELEPHONE else ("talk",):
@@ -313,6 +321,7 @@ class WebConsoleTest(unittest.TestCase):
             page.run("document.getElementById('note').hidden = false")
             self.assertEqual(page.run(places), before, "a banner moves nothing")
             page.run("document.getElementById('note').hidden = true")
+        page.run("document.getElementById('state-text').textContent = 'Ready'")
         page.run("document.querySelector('.person').style.width = '2.2rem'")
         page.run("document.querySelector('.person').style.wordBreak = 'break-all'")
         self.assertNotEqual(page.run(BROKEN), [], "a broken word is found")
@@ -322,14 +331,55 @@ class WebConsoleTest(unittest.TestCase):
     def test_7_axe_finds_nothing(self) -> None:
         if not AXE.is_file():
             self.skipTest("no axe-core: scripts/setup browser")
-        for size in (WINDOW, PROJECTOR, TELEPHONE):
-            for is_dark in (False, True):
-                self.page.resize(*size, is_dark=is_dark)
-                self.assertEqual(self.page.findings(), [], (size, is_dark))
-        self.page.resize(*WINDOW)
-        self.page.run("document.getElementById('send').textContent = ''")
-        self.assertTrue(self.page.findings(), "a button without a name is found")
-        self.page.run("document.getElementById('send').textContent = 'Say'")
+        page = self.page
+        publisher = rospy.Publisher("front_camera/image_raw", Image, queue_size=1)
+        image = Image(width=64, height=48, step=192, encoding="rgb8", data=bytes(range(192)) * 48)
+        timer = rospy.Timer(rospy.Duration.from_sec(0.2), lambda _event: publisher.publish(image))
+        try:
+            # Every part is open, and every card shows something.
+            page.click("#engineer", "Engineer's view")
+            page.run("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+            wait_until(lambda: page.run("document.querySelector('img.camera')?.naturalWidth ?? 0") == 64)
+            self.choose_number("odom: heading (degrees)")
+            wait_until(lambda: page.find("#past .first"), message=lambda: page.texts("#past"))
+            page.run("document.querySelectorAll('#past details').forEach((one) => { one.open = true; })")
+            page.click("#past .verdicts button", "Wrong")
+            wait_until(lambda: page.find("#past form input"), message=lambda: page.texts("#past"))
+            for size in (WINDOW, PROJECTOR, TELEPHONE):
+                for part in ("talk", "map", "plan", "more") if size == TELEPHONE else ("talk",):
+                    page.run(f"document.querySelector('.tabs [data-part={part}]').click()")
+                    if size != TELEPHONE or part == "more":
+                        for card in ("img.camera", "#plots .one path", "#past form input"):
+                            wait_until(lambda card=card: page.find(card)[0].is_displayed(), message=f"{size} {card}")
+                    for is_dark in (False, True):
+                        page.resize(*size, is_dark=is_dark)
+                        self.assertEqual(page.findings(), [], (size, part, is_dark))
+                        self.assertEqual(page.run(BROKEN), [], (size, part, is_dark))
+                        self.assertEqual(page.run(WIDE), [], (size, part, is_dark))
+                page.run("document.querySelector('.tabs [data-part=talk]').click()")
+            page.resize(*WINDOW)
+            page.run("document.querySelector('#plots .one select').removeAttribute('aria-label')")
+            self.assertTrue(page.findings(), "a choice without a name is found")
+            page.run("document.querySelector('#plots .one select').setAttribute('aria-label', 'First number')")
+        finally:
+            timer.shutdown()
+            publisher.unregister()
+            page.resize(*WINDOW)
+            page.click("#past .verdicts [aria-pressed=true]", "Wrong")
+            wait_until(lambda: not page.find("#past form input"), message=lambda: page.texts("#past"))
+            page.run("document.querySelectorAll('details').forEach((one) => { one.open = false; })")
+            page.click("#engineer", "Engineer's view")
+
+    def choose_number(self, name: str) -> None:
+        """Draw a number over time, and wait until its line is drawn."""
+        page = self.page
+        wait_until(lambda: name in page.texts("#plots .one option"), message=lambda: page.texts("#plots option"))
+        page.run(
+            "(() => { const one = document.querySelector('#plots .one select'); one.value = "
+            f"[...one.options].find((each) => each.text === {name!r}).value; "
+            "one.dispatchEvent(new Event('change')); })()"
+        )
+        wait_until(lambda: "L" in str(page.run("document.querySelector('#plots .one path').getAttribute('d')")))
 
     def test_7_servers_and_frames_are_behind_one_switch(self) -> None:
         page = self.page

@@ -3,6 +3,7 @@
 import os
 from typing import Dict, Iterable, List, Mapping, Set, Tuple
 
+from roboframenet_ros.spoken_text import with_capital
 from semantic_frames import FileRefused, load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -102,7 +103,7 @@ def _domain(path: str) -> str:
 
 def _examples(units: Iterable[LexicalUnit]) -> Tuple[str, ...]:
     """Return examples of a frame, the first of each unit before the second of any."""
-    texts = [[example.text for example in unit.examples] for unit in units]
+    texts = [[with_capital(example.text) for example in unit.examples] for unit in units]
     found: List[str] = []
     for place in range(max(map(len, texts), default=0)):
         found += [one[place] for one in texts if place < len(one)]

@@ -72,7 +72,7 @@ class WebConsole:
             Callbacks(
                 on_request=self._on_request,
                 on_pages=self._on_pages,
-                snapshot=self._board.snapshot,
+                snapshot=self._snapshot,
                 past=self._past.text,
                 sensors=self._sensors,
             ),
@@ -126,7 +126,6 @@ class WebConsole:
             ) from error
         shown = f"[{address}]" if ":" in address else address
         url = f"http://{shown}:{port}/"
-        self._speaker.start()
         self._listener.start()
         self._ground.start()
         self._knowledge.start()
@@ -143,8 +142,11 @@ class WebConsole:
 
     def _watch(self, is_watched: bool) -> None:
         """Hear what pages show, in the thread that may wait for the master."""
+        if is_watched:
+            # Only pages stop the robot through this node.
+            self._speaker.start()
         self._ground.watch(is_watched)
-        self._sensors.turn()
+        self._sensors.turn(is_watched)
 
     def _show(self, kind: str, view: Any) -> None:
         if self._board.show(kind, view):
@@ -161,6 +163,12 @@ class WebConsole:
             self._site.send(self._board.take_changes())
         else:
             self._board.forget_changes()
+
+    def _snapshot(self) -> Tuple[Tuple[str, str], ...]:
+        """Return all views for a new page; what nobody needed before is made now."""
+        self._ground.look()
+        self._suggest()
+        return self._board.snapshot()
 
     def _on_pages(self, count: int) -> None:
         self._knowledge.watch(count > 0)
@@ -222,6 +230,8 @@ class WebConsole:
         self._said = dict.fromkeys([*self._said, *(view.text for view in self._history.views())])
         if len(self._said) > _MOST_SAID:
             self._said = {}
+        if not self._site.page_count:
+            return
         self._show("suggestions", SuggestionsView(suggest(self._templates, self._frames, self._present, self._said)))
 
     def _on_names(self, names: Tuple[str, ...]) -> None:

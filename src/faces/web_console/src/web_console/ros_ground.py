@@ -1,5 +1,6 @@
 """Hears where the robot is and what lies around it."""
 
+import threading
 import time
 from typing import Any, Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple
 
@@ -10,7 +11,7 @@ from roboframenet_msgs.msg import Locations, World
 
 from web_console.board import Board
 from web_console.ground import Localization, thinned
-from web_console.ros_hearing import show
+from web_console.ros_hearing import show, show_raw
 from web_console.ros_values import landmarks_of, map_of, pose_value, present_objects, world_view
 from web_console.suggestions import Present
 from web_console.views import GroundView, LandmarkView, MapView
@@ -27,6 +28,8 @@ _REST_S, _LONG_REST_S = 0.05, 0.2
 
 class GroundTap:
     """Subscribers of poses, maps, paths and places; each is shown when its topic is there.
+
+    What comes is read by `look`, the newest of each topic: nothing is read while nobody looks.
 
     Subscribes: ``odom`` and ``person/pose`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``world``,
     ``move_base/current_goal``, and the topics of paths.
@@ -74,21 +77,37 @@ class GroundTap:
         self._others: Dict[str, LandmarkView] = {}
         self._subscribers: List[rospy.Subscriber] = []
         self._frequent: List[rospy.Subscriber] = []
+        self._lock = threading.Lock()
+        self._unread: Dict[str, Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = {}
 
     def start(self) -> None:
         """Subscribe to all that is seldom published."""
         self._hear("amcl_pose", PoseWithCovarianceStamped, self._on_pose)
         self._hear("map", OccupancyGrid, self._on_map)
-        self._hear("locations", Locations, self._on_locations)
         self._hear("world", World, self._on_world)
         self._hear("move_base/current_goal", PoseStamped, lambda message: self._on_other("goal", message))
         for topic in self._path_topics:
             self._hear(topic, Path, self._on_path)
+        # A question offers the names of places; it may be asked before somebody looks.
+        self._subscribers.append(
+            rospy.Subscriber(
+                "locations",
+                Locations,
+                lambda message: self._call_soon(show, self._on_locations, message),
+                queue_size=1,
+            )
+        )
 
     def _hear(self, topic: str, kind: Any, callback: Callable[[Any], None]) -> None:
         self._subscribers.append(
-            rospy.Subscriber(topic, kind, lambda message: self._call_soon(show, callback, message), queue_size=1)
+            rospy.Subscriber(
+                topic, rospy.AnyMsg, lambda message: self._arrived(topic, kind, callback, message), queue_size=1
+            )
         )
+
+    def _arrived(self, topic: str, kind: Any, callback: Callable[[Any], None], message: rospy.AnyMsg) -> None:
+        with self._lock:
+            self._unread[topic] = (kind, callback, message)
 
     def watch(self, is_watched: bool) -> None:
         """Follow what is frequent, or leave it alone while nobody looks. May wait for the master."""
@@ -112,7 +131,11 @@ class GroundTap:
         self._heard_person = _rest(message._buff[-_POSE_BYTES:], self._heard_person)
 
     def look(self) -> None:
-        """Show where the robot and the person are now."""
+        """Show what has come since the last look, and where the robot and the person are now."""
+        with self._lock:
+            unread, self._unread = self._unread, {}
+        for kind, callback, message in unread.values():
+            show_raw(kind, callback, message)
         person, self._last_person = self._last_person, None
         if person is not None and person._buff[-_POSE_BYTES:] != self._seen_person:
             self._seen_person = person._buff[-_POSE_BYTES:]

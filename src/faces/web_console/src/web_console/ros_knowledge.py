@@ -16,6 +16,8 @@ from web_console.ros_values import living_servers, servers_of
 from web_console.views import AbilitiesView, HealthView
 
 _TURN_S = 0.5
+#: The thread has nothing to do while nobody looks; the first page wakes it.
+_SLEEP_S = 600.0
 #: Files are read once they have been quiet for this long: at the start they come one by one.
 _QUIET_S = 0.7
 _LONGEST_QUIET_S = 3.0
@@ -46,7 +48,8 @@ class KnowledgeTap:
             call_soon: calls a function in the thread of the event loop, from any thread
             on_abilities: called with what the robot can do
             on_health: called with the state of the nodes
-            on_turn: called from the thread twice a second, with whether somebody looks; may wait for the master
+            on_turn: called from the thread with whether somebody looks, twice a second while somebody does, and when
+                nobody does any more; may wait for the master
         """
         self._call_soon = call_soon
         self._on_abilities = on_abilities
@@ -117,7 +120,7 @@ class KnowledgeTap:
         knowledge = Knowledge()
         ask_at_s = 0.0
         while not self._is_closing.is_set():
-            self._wake.wait(_TURN_S if self._is_watched or self._changed_s is not None else 4 * _TURN_S)
+            self._wake.wait(_TURN_S if self._is_watched else _SLEEP_S)
             self._wake.clear()
             try:
                 self._on_turn(self._is_watched)

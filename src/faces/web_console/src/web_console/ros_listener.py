@@ -26,7 +26,7 @@ from std_msgs.msg import String
 from web_console.board import Board
 from web_console.conversations import Conversation, Frame
 from web_console.history import History
-from web_console.ros_hearing import show
+from web_console.ros_hearing import show, show_raw
 from web_console.ros_values import (
     clause_views,
     frames_of,
@@ -138,7 +138,7 @@ class Listener:
         with self._lock:
             waiting, self._waiting = self._waiting, []
         for kind, callback, message in waiting:
-            show(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
+            show_raw(kind, callback, message)
 
     def show(self, command_ids: Iterable[str]) -> None:
         """Show commands that have changed."""

@@ -47,12 +47,18 @@ class SensorTap:
         """End the thread that makes pictures."""
         self._thread.shutdown(wait=False)
 
-    def turn(self) -> None:
-        """List what can be looked at, and subscribe to what is looked at. May wait for the master."""
+    def turn(self, is_watched: bool) -> None:
+        """List what can be looked at, and subscribe to what is looked at. May wait for the master.
+
+        Args:
+            is_watched: whether a page is open
+        """
         now_s = time.monotonic()
         with self._lock:
             is_asked = now_s - self._asked_s < _FORGET_S
-            self._wanted = {topic: at_s for topic, at_s in self._wanted.items() if now_s - at_s < _FORGET_S}
+            self._wanted = {
+                topic: at_s for topic, at_s in self._wanted.items() if is_watched and now_s - at_s < _FORGET_S
+            }
             wanted: FrozenSet[str] = frozenset(self._wanted)
         if is_asked and now_s - self._listed_s >= _LIST_S:
             self._listed_s = now_s

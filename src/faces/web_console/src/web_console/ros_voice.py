@@ -26,7 +26,9 @@ class VoiceTap:
         self._call_soon = call_soon
         self._on_voice = on_voice
         self._view = VoiceView()
-        self._sound = rospy.Publisher("page_sound", UInt8MultiArray, queue_size=20)
+        # Whoever takes the sound may connect after the last message of the voice.
+        hearers = _Hearers(lambda: call_soon(self._tell))
+        self._sound = rospy.Publisher("page_sound", UInt8MultiArray, subscriber_listener=hearers, queue_size=20)
         self._push = rospy.Publisher("push_to_talk", Empty, queue_size=1)
 
     def start(self) -> None:
@@ -53,3 +55,16 @@ class VoiceTap:
         takes_sound = self._sound.get_num_connections() > 0
         self._view = replace(self._view, takes_sound=takes_sound, **changes)
         self._on_voice(self._view)
+
+
+class _Hearers(rospy.SubscribeListener):  # type: ignore[misc]
+    """Calls back when a subscriber has come or gone, from a thread of rospy."""
+
+    def __init__(self, on_change: Callable[[], None]) -> None:
+        self._on_change = on_change
+
+    def peer_subscribe(self, *_told: object) -> None:
+        self._on_change()
+
+    def peer_unsubscribe(self, *_told: object) -> None:
+        self._on_change()

@@ -49,7 +49,7 @@ def test_frames_with_a_server_can_be_done():
     waving = found.abilities[0]
     assert waving.servers == ("left_arm", "right_arm")
     assert (waving.domain, waving.description) == ("greeting", "The robot waves.")
-    assert waving.examples == ("Wave Alice.", "wave him")
+    assert waving.examples == ("Wave Alice.", "Wave him")
 
 
 def test_frames_whose_children_have_servers_can_be_done():

@@ -20,7 +20,7 @@ let selected = "";
 let socket = null;
 let wait = 200;
 let pendingStop = null;
-let isFollowed = false;
+let isFollowed = false, due = 0;
 let status = { sentence: "", active: [] };
 let stop = { number: 0, state: "", sentence: "" };
 
@@ -138,7 +138,7 @@ function connect() {
     pendingStop = null;
     showState();
     // What the node still has comes first.
-    if (!isFollowed) setTimeout(follow, FOLLOW_MS);
+    if (!isFollowed) due = setTimeout(follow, FOLLOW_MS);
     isFollowed = true;
   });
   socket.addEventListener("message", (event) => {
@@ -205,7 +205,12 @@ function show(part) {
     if (tab.dataset.part === part) tab.setAttribute("aria-current", "true"); else tab.removeAttribute("aria-current");
   }
 }
-for (const tab of document.querySelectorAll(".tabs button")) tab.addEventListener("click", () => show(tab.dataset.part));
+for (const tab of document.querySelectorAll(".tabs button")) tab.addEventListener("click", () => {
+  // Who chooses a part wants to see that one, and not the one of the link.
+  isFollowed = true;
+  clearTimeout(due);
+  show(tab.dataset.part);
+});
 
 // A link to a moment: the command is chosen, or found among what was said before.
 function follow() {

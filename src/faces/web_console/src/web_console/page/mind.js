@@ -147,6 +147,6 @@ const stateWord = (state) => (STATES[state] ? make("span", { class: "is" }, STAT
 
 function trace(stage) {
   return make("details", { "data-key": stage.name }, make("summary", {}, stage.name, make("span", { class: "count" }, String(stage.trace.length))),
-    make("div", { class: "wide" }, make("table", {}, make("tbody", {}, ...stage.trace.map((line) =>
+    make("div", { class: "wide", tabindex: "0" }, make("table", {}, make("tbody", {}, ...stage.trace.map((line) =>
       make("tr", {}, make("th", { scope: "row" }, line.rule), make("td", {}, line.about), make("td", {}, line.effect)))))));
 }

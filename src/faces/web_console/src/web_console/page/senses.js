@@ -8,6 +8,8 @@ const IMAGE_MS = 300;
 const NUMBER_MS = 500;
 const KEEP_MS = 120000;
 const SVG = "http://www.w3.org/2000/svg";
+// As many digits as a person reads.
+const short = (value) => String(Number(value.toPrecision(4)));
 
 export class Senses {
   constructor(details, cameras, plots) {
@@ -105,7 +107,7 @@ export class Senses {
       const least = Math.min(...values), most = Math.max(...values), span = most - least || 1;
       const place = ([then, value]) => `${100 - (100 * (now - then)) / KEEP_MS},${95 - (90 * (value - least)) / span}`;
       plot.querySelector("path").setAttribute("d", points.length > 1 ? `M${points.map(place).join("L")}` : "");
-      plot.querySelector("p").textContent = points.length ? `${values[values.length - 1]} (${least} to ${most})` : "";
+      plot.querySelector("p").textContent = points.length ? `${short(values[values.length - 1])} (${short(least)} to ${short(most)})` : "";
     });
   }
 }
