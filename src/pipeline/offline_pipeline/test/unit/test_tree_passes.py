@@ -21,6 +21,8 @@ CHANGING_AGAIN = {
     "mentioned_words": 'Don\'t say "open the door".',
     "persons_told": "Tell what day tomorrow is to Jamie at the couch.",
     "quotations": "Ask Anna her name and Ben his age.",
+    # It follows argument_clusters, which reads "back" only when it has been set aside.
+    "shared_verbs": "... and from the kitchen back to the bathroom, again and again.",
 }
 #: Passes that change the same word of a sentence. This list only gets shorter.
 CHANGING_ONE_WORD = {

@@ -160,7 +160,8 @@ class _Check:
             for member in argument.members
             if member.lemma == _THEY or member.text.lower() in _ENDS
         ]
-        pairs = [argument for argument in self._arguments if argument.lemma == _BOTH] + members
+        both = [one for one in self._arguments if one.lemma == _BOTH and one.text.lower().startswith(_BOTH)]
+        pairs = both + members
         found += [self._tree.word(index) for pair in pairs if not pair.referents for index in pair.positions]
         return found + [word for word in words if word.said == _EACH]
 

@@ -7,6 +7,9 @@ from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from typed_arguments import TypedArgument
 from utterance_passes.phrases.measures import Amount
+from word_classes import word_class
+
+_HEARERS = word_class("hearers")
 
 
 @dataclass(frozen=True)
@@ -174,6 +177,8 @@ def rank(reading: Reading) -> Rank:
     """Return the rank of a reading."""
     unit = reading.unit
     filled = frozenset(argument.name for argument in reading.arguments)
+    # Who is asked to act tells nothing of what is done: "could *you* go around the hall".
+    told = [text for _, text in reading.said if text.lower() not in _HEARERS]
     verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return Rank(
         is_incomplete=bool(reading.missing),
@@ -181,7 +186,7 @@ def rank(reading: Reading) -> Rank:
         left_over=len(reading.left_over),
         unlikely=reading.unlikely,
         doubtful_types=reading.doubtful_types,
-        unfilled=-len(reading.said) - sum(1 for relation in unit.relations if relation.is_required),
+        unfilled=-len(told) - sum(1 for relation in unit.relations if relation.is_required),
         asked=len(reading.asked),
         verb=-len(reading.verb.split()),
         is_secondary=verb_place > 0,

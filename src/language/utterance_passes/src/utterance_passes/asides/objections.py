@@ -69,7 +69,8 @@ def plain(word: Word) -> str:
 
 def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
     words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.said not in _LEAD_IN]
-    return bool(words) and is_verb(vocabulary, words[0])
+    # "Do" may be a verb, as in "do the rounds", but in "no, do not turn" it is none.
+    return bool(words) and words[0].upos != "AUX" and is_verb(vocabulary, words[0])
 
 
 def _is_of_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:

@@ -34,7 +34,7 @@ _LATER: Tuple[Tuple[str, ...], ...] = (
         "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
         ("Eve: conj(go) -> obl(go)",),
     ),
-    assigns=["obl", "advmod", "compound:prt", "cc"],
+    assigns=["obl", "advmod", "compound:prt", "cc", "conj", ASIDE],
 )
 def shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach the second of two phrases that share a verb to the verb, like the first.
@@ -71,7 +71,8 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
     edit = TreeEdit(tree)
     for word in tree.words:
         cases = tree.prepositions(word.index)
-        if not cases or word.upos not in NOUNS or cases[0].index > word.index:
+        is_done = word.index in tree.sharing_a_verb
+        if is_done or not cases or word.upos not in NOUNS or cases[0].index > word.index:
             continue
         first = cases[0].index
         length = next((len(words) for words in _LATER if _is_said_before(tree, words, first)), 0)
@@ -79,7 +80,8 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
         while length and opening[0].index > 1 and tree.word(opening[0].index - 1).said in _JOINING:
             opening.insert(0, tree.word(opening[0].index - 1))
         if len(opening) == 1 and _is_behind_source(tree, opening[0]):
-            edit.rehang(opening[0].index, word.index, ASIDE)  # "From the hall *back* to the office."
+            if opening[0].deprel != ASIDE:
+                edit.rehang(opening[0].index, word.index, ASIDE)  # "From the hall *back* to the office."
             continue
         verb = tree.verb_above(word) if opening else word
         if any(one.said == "back" for one in opening) and _has_source(tree, verb):
