@@ -19,9 +19,9 @@ from typed_arguments import EmbeddedFrame, TypedArgument
 
 DOMAINS = package("roboframenet_domains") / "domains"
 #: Of the sample, in percent or sentences, on 29 November 2026, with some room. They only rise, or for ACTED fall.
-RIGHT_IN_SAMPLE, FROZEN_RIGHT_IN_SAMPLE, ACTED_IN_SAMPLE = 90.0, 80.0, 1
+RIGHT_IN_SAMPLE, FROZEN_RIGHT_IN_SAMPLE, ACTED_IN_SAMPLE = 93.0, 90.0, 1
 #: The same of the whole matrix.
-RIGHT, FROZEN_RIGHT, ACTED = 93.0, 86.5, 3
+RIGHT, FROZEN_RIGHT, ACTED = 95.5, 94.5, 1
 
 
 @pytest.fixture(scope="module")
