@@ -126,6 +126,8 @@ class WebConsole:
             ) from error
         shown = f"[{address}]" if ":" in address else address
         url = f"http://{shown}:{port}/"
+        # Before any page: one that is opened when the master has died must still stop the robot.
+        self._speaker.start()
         self._listener.start()
         self._ground.start()
         self._knowledge.start()
@@ -142,9 +144,6 @@ class WebConsole:
 
     def _watch(self, is_watched: bool) -> None:
         """Hear what pages show, in the thread that may wait for the master."""
-        if is_watched:
-            # Only pages stop the robot through this node.
-            self._speaker.start()
         self._ground.watch(is_watched)
         self._sensors.turn(is_watched)
 

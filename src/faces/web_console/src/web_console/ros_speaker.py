@@ -60,7 +60,6 @@ class Speaker:
         self._goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=100)
         self._cancel = rospy.Publisher("command/cancel", GoalID, queue_size=100)
         self._text = rospy.Publisher("text", String, queue_size=100, tcp_nodelay=True)
-        self._is_started = False
         self._brake = Brake(
             settings,
             on_braked=lambda braked: call_soon(self._hear_braked, braked),
@@ -68,15 +67,12 @@ class Speaker:
         )
 
     def start(self) -> None:
-        """Connect to what a stop needs, once. From one thread, which may wait for the master."""
-        if not self._is_started:
-            self._is_started = True
-            self._brake.start()
+        """Connect to what a stop needs."""
+        self._brake.start()
 
     def close(self) -> None:
         """End the threads of the brake."""
-        if self._is_started:
-            self._brake.close(timeout_s=1.0)
+        self._brake.close(timeout_s=1.0)
 
     def say(self, text: str) -> str:
         """Say a sentence; returns the id of the command, empty when nobody listens."""
