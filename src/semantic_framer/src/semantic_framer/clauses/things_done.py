@@ -9,7 +9,7 @@ from semantic_framer.clauses.deed_clauses import DeedClause
 from semantic_framer.clauses.readings import ClauseReadings
 from semantic_framer.filling.descriptions import relative_clauses
 from semantic_framer.judging.verdicts import Case
-from semantic_framer.kinds.clause_features import Aspect, features_of
+from semantic_framer.kinds.clause_features import Aspect, ClauseFeatures, features_of
 from semantic_framer.values.outcome import Refusal
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
@@ -38,13 +38,23 @@ def told_by_deeds(
         trace: receives a line for each such thing; None for no trace
     """
     for clause in relative_clauses(case.sentence, [read.clause for read in clauses]):
-        deed = _deed_of_robot(case, clause)
-        if deed is None:
+        features = features_of(case.sentence.tree, clause.verb)
+        is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
+        if not is_over or not match_verbs(case.sentence.tree, clause, case.known):
+            continue
+        stand_in = _stand_in(case, clause)
+        of = DeedClause(replace(case, sentence=_with_thing(case, clause, stand_in)), clause.verb, features)
+        deed = of.deed() if of.is_of_robot else None
+        # What it saw, it may see again; "the person whom you met" is in its log.
+        if not of.is_of_robot or (deed is None and _is_seen(case, clause)):
             continue
         positions = sorted(case.sentence.subtree(clause.verb))
         words = case.sentence.text(positions)
-        described = _description(case, clause, deed)
-        told = clauses if described is None else tuple(_with(case, read, clause, described) for read in clauses)
+        gap = _gap(case, clause, deed, stand_in) if deed is not None else ""
+        told = clauses
+        if deed is not None and gap:
+            description = _description(case, positions, deed, gap, features)
+            told = tuple(_with(case, read, clause, description) for read in clauses)
         is_known = told != clauses and _is_known(case, told)
         if trace is not None:
             after = "of what was done" if is_known else "refused. It is not known which thing that is."
@@ -56,18 +66,36 @@ def told_by_deeds(
     return None, clauses
 
 
-def _deed_of_robot(case: Case, clause: Clause) -> Optional[DeedClause]:
-    """Return the deed of the robot that is over by now, of which a relative clause tells; None for others."""
-    features = features_of(case.sentence.tree, clause.verb)
-    deed = DeedClause(replace(case, sentence=_with_thing(case, clause)), clause.verb, features)
-    is_over = features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
-    if not (deed.is_of_robot and is_over and match_verbs(case.sentence.tree, clause, case.known)):
-        return None
-    # What it saw, it may see again; "the person whom you met" is in its log.
+def _description(
+    case: Case, positions: Sequence[int], deed: Reading, gap: str, features: ClauseFeatures
+) -> EmbeddedFrame:
+    """Return a deed as the description of the thing that it was done to.
+
+    Args:
+        case: the sentence
+        positions: of the words that tell of the deed
+        deed: what was done
+        gap: the element that the thing fills
+        features: of the clause that tells of it
+    """
+    said = (one for one in deed.arguments if one.positions)
+    return EmbeddedFrame(
+        role="describes",
+        frame_name=deed.unit.frame_name,
+        words=case.sentence.text(positions),
+        positions=tuple(positions),
+        head_element=gap,
+        mood="statement",
+        is_negated=features.is_negated,
+        frame_elements=tuple(one for one in said if one.name != gap and one.head_position != features.agent),
+    )
+
+
+def _is_seen(case: Case, clause: Clause) -> bool:
+    """Whether a relative clause tells what was seen."""
     units = case.known.lexicon.events.units_of(clause.lemma)
     frames = [case.known.frames.get(unit.frame_name) for unit in units]
-    is_seen = any(frame is not None and frame.framenet == _SEEING for frame in frames)
-    return None if is_seen and deed.deed() is None else deed
+    return any(frame is not None and frame.framenet == _SEEING for frame in frames)
 
 
 def _stand_in(case: Case, clause: Clause) -> int:
@@ -77,12 +105,11 @@ def _stand_in(case: Case, clause: Clause) -> int:
     return found[0] if found and case.sentence.word(found[0]).upos == "PRON" else 0
 
 
-def _with_thing(case: Case, clause: Clause) -> Sentence:
+def _with_thing(case: Case, clause: Clause, stand_in: int) -> Sentence:
     """Return the sentence with the thing in its relative clause: "the door (you closed *door*)".
 
     What was done follows from what it was done to: a table is cleaned in another way than a room.
     """
-    stand_in = _stand_in(case, clause)
     if not stand_in:
         return case.sentence
     thing = case.sentence.tree.governor(case.sentence.word(clause.verb))
@@ -93,34 +120,8 @@ def _with_thing(case: Case, clause: Clause) -> Sentence:
     return case.sentence.attached(edit.tree())
 
 
-def _description(case: Case, clause: Clause, of: DeedClause) -> Optional[EmbeddedFrame]:
-    """Return a deed as the description of the thing that it was done to; None where it is not clear what was done."""
-    deed = of.deed()
-    if deed is None:
-        return None
-    gap = _gap(case, clause, deed)
-    if not gap:
-        return None
-    positions = sorted(case.sentence.subtree(clause.verb))
-    return EmbeddedFrame(
-        role="describes",
-        frame_name=deed.unit.frame_name,
-        words=case.sentence.text(positions),
-        positions=tuple(positions),
-        head_element=gap,
-        mood="statement",
-        is_negated=of.features.is_negated,
-        frame_elements=tuple(
-            one
-            for one in deed.arguments
-            if one.positions and one.name != gap and one.head_position != of.features.agent
-        ),
-    )
-
-
-def _gap(case: Case, clause: Clause, deed: Reading) -> str:
+def _gap(case: Case, clause: Clause, deed: Reading, stand_in: int) -> str:
     """Return the element of a deed that the thing fills which it describes; empty where that is not clear."""
-    stand_in = _stand_in(case, clause)
     missing = [one.name for one in deed.asked]
     if stand_in:
         filled = [one.name for one in deed.arguments if one.head_position == stand_in]
