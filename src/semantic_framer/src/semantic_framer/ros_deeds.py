@@ -10,7 +10,7 @@ from referring_expressions.deeds import DeedsDone
 from roboframenet_ros.ros_robots import topic_of
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import FilledFrame
-from typed_arguments.ros_messages import from_message
+from typed_arguments.ros_messages import frame_that_was_tried
 
 #: Clauses of commands that are remembered.
 _MOST_CLAUSES = 500
@@ -45,13 +45,13 @@ class Deeds:
         if message.outcome != TriedFrame.SUCCEEDED:
             return
         try:
-            arguments = tuple(from_message(argument) for argument in message.arguments)
+            frame = frame_that_was_tried(message)
         except ValueError as error:
             rospy.logwarn("cmd=%s a deed is forgotten: %s", message.command.id, error)
             return
         key = (message.command.id, message.clause)
         with self._lock:
             before = self._clauses.pop(key, ())
-            self._clauses[key] = (*before, FilledFrame(message.frame.name, arguments))
+            self._clauses[key] = (*before, frame)
             while len(self._clauses) > _MOST_CLAUSES:
                 del self._clauses[next(iter(self._clauses))]

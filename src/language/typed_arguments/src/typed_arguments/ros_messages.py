@@ -65,6 +65,16 @@ def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
     )
 
 
+def frame_that_was_tried(message: msg.TriedFrame) -> FilledFrame:
+    """Return the frame of a message of the executor, with its typed arguments and its server.
+
+    Raises:
+        ValueError: an argument is malformed
+    """
+    arguments = tuple(from_message(argument) for argument in message.arguments)
+    return FilledFrame(message.frame.name, arguments, next(iter(message.frame.action_server_topics), ""))
+
+
 def frames_from_messages(
     frames: Sequence[msg.FilledSemanticFrame], shared: Sequence[TypedArgument], positions: Sequence[int]
 ) -> Tuple[FilledFrame, ...]:

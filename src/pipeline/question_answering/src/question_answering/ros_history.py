@@ -11,8 +11,7 @@ from smach_msgs.msg import SmachContainerStatus, SmachContainerStructure
 
 from question_answering.deed_log import DeedLog, PlanKinds, PlannedNode, TriedClause, TriedOnce
 from question_answering.robot_knowledge import Deed, Outcome, steps_behind
-from typed_arguments import FilledFrame
-from typed_arguments.ros_messages import frames_from_messages, from_message
+from typed_arguments.ros_messages import frame_that_was_tried, frames_from_messages, from_message
 
 #: Commands that are remembered.
 _MOST_DEEDS = 20
@@ -77,13 +76,12 @@ class History:
 
     def _on_tried(self, message: TriedFrame) -> None:
         try:
-            arguments = tuple(from_message(argument) for argument in message.arguments)
+            frame = frame_that_was_tried(message)
         except ValueError as error:
             rospy.logwarn("I forget a deed of %s: %s", message.command.id, error)
             return
-        servers = message.frame.action_server_topics
         once = TriedOnce(
-            FilledFrame(message.frame.name, arguments, servers[0] if servers else ""),
+            frame,
             is_done=message.outcome == TriedFrame.SUCCEEDED,
             reason=message.reason,
             ended=datetime.now(),
