@@ -219,6 +219,21 @@ class ConsoleBrowser:
 
         wait_until(is_clicked, message=lambda: self.texts(selector))
 
+    def choose_number(self, which: str, name: str) -> None:
+        """Have a number drawn over time.
+
+        Args:
+            which: of the plots, "one" or "other"
+            name: of the number, as the page offers it
+        """
+        select = f"#plots .{which} select"
+        wait_until(lambda: name in self.texts(f"{select} option"), message=lambda: self.texts(f"{select} option"))
+        self.run(
+            f"(() => {{ const one = document.querySelector('{select}'); one.value = "
+            f"[...one.options].find((each) => each.text === {name!r}).value; "
+            "one.dispatchEvent(new Event('change')); })()"
+        )
+
     def reply(self, timeout_s: float = 60.0) -> str:
         """Wait for the reply to the newest command; returns its outcome."""
         newest = "#log li:last-child .robot:not(.waiting)"

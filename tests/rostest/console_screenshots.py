@@ -56,16 +56,6 @@ def webp(browser: ConsoleBrowser) -> bytes:
     return base64.b64decode(shown["data"])
 
 
-def plot(browser: ConsoleBrowser, which: str, name: str) -> None:
-    """Have a number drawn over time."""
-    select = f"#plots .{which} select"
-    wait_until(lambda: name in browser.texts(f"{select} option"), message=lambda: browser.texts(f"{select} option"))
-    browser.run(
-        f"(() => {{ const one = document.querySelector('{select}'); one.value = "
-        f"[...one.options].find((each) => each.text === {name!r}).value; one.dispatchEvent(new Event('change')); }})()"
-    )
-
-
 def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     """What engineers see while a command runs, a question on a telephone, and a command as an animated picture."""
     wait_for_pipeline(("turning", "saying"))
@@ -79,8 +69,8 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     browser.resize(*LONG)
     browser.find("#filter")[0].send_keys("turn")
     browser.run("document.querySelectorAll('#senses, #past-details').forEach((one) => { one.open = true; })")
-    plot(browser, "one", "odom: heading (degrees)")
-    plot(browser, "other", "odom: turning speed (rad/s)")
+    browser.choose_number("one", "odom: heading (degrees)")
+    browser.choose_number("other", "odom: turning speed (rad/s)")
     wait_until(lambda: browser.find("#past summary"))
     browser.find("#past summary")[0].click()
     browser.click("#past .verdicts button", "Right")

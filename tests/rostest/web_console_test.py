@@ -47,6 +47,8 @@ MARKUP = "<img src=x onerror=alert(1)> turn <b>left</b> 10 degrees"
 #: What the tab key has to reach, by its id, and whether it is on the screen.
 REACHED = "button[id], input[id]"
 IS_SEEN = "(one) => one.checkVisibility() && !one.disabled && !one.closest('details:not([open])')"
+#: What draws the first number over time; a line has an "L".
+LINE = "document.querySelector('#plots .one path').getAttribute('d')"
 
 
 def alive(node: str) -> Optional[int]:
@@ -285,7 +287,8 @@ class WebConsoleTest(unittest.TestCase):
             wait_until(lambda: "front camera" in page.texts("#cameras option"), message=lambda: page.texts("#senses"))
             wait_until(lambda: page.run("document.querySelector('img.camera').naturalWidth") == 64)
             page.click("#engineer", "Engineer's view")
-            self.choose_number("odom: heading (degrees)")
+            page.choose_number("one", "odom: heading (degrees)")
+            wait_until(lambda: "L" in str(page.run(LINE)))
             page.click("#engineer", "Engineer's view")
             page.find("#senses summary")[0].click()
             wait_until(lambda: publisher.get_num_connections() == 0, message="the camera is heard, and nobody looks")
@@ -341,7 +344,8 @@ class WebConsoleTest(unittest.TestCase):
             page.click("#engineer", "Engineer's view")
             page.run("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
             wait_until(lambda: page.run("document.querySelector('img.camera')?.naturalWidth ?? 0") == 64)
-            self.choose_number("odom: heading (degrees)")
+            page.choose_number("one", "odom: heading (degrees)")
+            wait_until(lambda: "L" in str(page.run(LINE)))
             wait_until(lambda: page.find("#past .first"), message=lambda: page.texts("#past"))
             page.run("document.querySelectorAll('#past details').forEach((one) => { one.open = true; })")
             page.click("#past .verdicts button", "Wrong")
@@ -370,17 +374,6 @@ class WebConsoleTest(unittest.TestCase):
             wait_until(lambda: not page.find("#past form input"), message=lambda: page.texts("#past"))
             page.run("document.querySelectorAll('details').forEach((one) => { one.open = false; })")
             page.click("#engineer", "Engineer's view")
-
-    def choose_number(self, name: str) -> None:
-        """Draw a number over time, and wait until its line is drawn."""
-        page = self.page
-        wait_until(lambda: name in page.texts("#plots .one option"), message=lambda: page.texts("#plots option"))
-        page.run(
-            "(() => { const one = document.querySelector('#plots .one select'); one.value = "
-            f"[...one.options].find((each) => each.text === {name!r}).value; "
-            "one.dispatchEvent(new Event('change')); })()"
-        )
-        wait_until(lambda: "L" in str(page.run("document.querySelector('#plots .one path').getAttribute('d')")))
 
     def test_7_servers_and_frames_are_behind_one_switch(self) -> None:
         page = self.page
