@@ -124,10 +124,18 @@ def time_ms(trees: List[DependencyTree], scale: Scale, policy: Policy = MEANING_
     return times
 
 
+def parsed_and_framed_ms(parser: Parser, sentence: str, domains: Scale) -> Tuple[float, float]:
+    """Return the processor time of the parse of a sentence and that of its framing, one right behind the other."""
+    start_s = time.process_time()
+    tree = parser.parse(sentence, domains[0].verbs)
+    parse_ms = 1000.0 * (time.process_time() - start_s)
+    return parse_ms, time_ms([tree], domains)[0]
+
+
 def main() -> int:
     """Run the comparison."""
     made, domains, sentences, sample = scales()
-    parser = shipped_parser()
+    parser = shipped_parser(cache_size=0)
     trees = [parser.parse(sentence, made[min(COUNTS)][0].verbs) for sentence in sentences]
     times_ms: Dict[int, List[float]] = {count: [] for count in COUNTS}
     for number in range(ROUNDS):
@@ -140,18 +148,14 @@ def main() -> int:
         f"{many:.3f} | {few:.3f} ms per command, ratio {many / few:.3f}  "
         f"(at most {LIMIT}: {'held' if is_held else 'MISSED'})"
     )
-    trees, parse_ms = [], []
-    for sentence in sample:
-        start_s = time.process_time()
-        trees.append(parser.parse(sentence, domains[0].verbs))
-        parse_ms.append(1000.0 * (time.process_time() - start_s))
-    time_ms(trees, domains)
-    each_ms = sorted(time_ms(trees, domains))
+    # The first time fills what the framer keeps of a lexicon.
+    both_ms = [parsed_and_framed_ms(parser, sentence, domains) for sentence in sample + sample][len(sample) :]
+    parse_ms, each_ms = (sorted(times) for times in zip(*both_ms))
     p50_ms, p99_ms = statistics.median(each_ms), each_ms[int(0.99 * len(each_ms))]
     ratio = p50_ms / statistics.median(parse_ms)
     is_quick = ratio <= LIMIT_TO_PARSE
     print(
-        f"framing of {len(trees)} examples of the domains: p50 {p50_ms:.2f} ms, p99 {p99_ms:.2f} ms, ratio to "
+        f"framing of {len(sample)} examples of the domains: p50 {p50_ms:.2f} ms, p99 {p99_ms:.2f} ms, ratio to "
         f"parsing {ratio:.3f}  (at most {LIMIT_TO_PARSE:g}: {'held' if is_quick else 'MISSED'})"
     )
     with_ms, without_ms, grown = ratio_of_learned(parser, domains, sample)

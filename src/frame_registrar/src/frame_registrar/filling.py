@@ -59,10 +59,8 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
     for element in frame.frame_elements:
         if element.name not in found:
             if element.is_core:
-                raise Unfillable(
-                    "MISSING_ELEMENT",
-                    element.question or f"The {spoken_name(element.name)} of {spoken_name(frame.name)} is missing.",
-                )
+                question = element.question or f"The {spoken_name(element.name)} is missing."
+                raise Unfillable("MISSING_ELEMENT", question)
             continue
         allowed = [value.lower() for value in element.values]
         if allowed and found[element.name].text.lower() not in allowed:
@@ -73,9 +71,9 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
                 "VALUE_NOT_ALLOWED",
                 f'The {spoken_name(element.name)} cannot be "{text}", only {join_with_or(element.values)}.',
             )
-        check_expressible(frame, element, found[element.name])
+        check_expressible(element, found[element.name])
         if element.quantity is not None:
-            found[element.name] = _measured(frame, element, element.quantity, found)
+            found[element.name] = _measured(element, element.quantity, found)
     extra = extra_thematic_arguments(frame, arguments.values())
     return FilledFrame(name=frame.name, arguments=(*found.values(), *extra))
 
@@ -86,7 +84,7 @@ def _without_article(argument: TypedArgument) -> TypedArgument:
     return replace(argument, text=text) if text.lower() == argument.head.lower() else argument
 
 
-def check_expressible(frame: SemanticFrame, element: FrameElement, argument: TypedArgument) -> None:
+def check_expressible(element: FrameElement, argument: TypedArgument) -> None:
     """Check that an element can express the relation, the count and the quantifier of its argument.
 
     Raises:
@@ -106,7 +104,7 @@ def check_expressible(frame: SemanticFrame, element: FrameElement, argument: Typ
         said = argument.words or f"{relation.replace('_', ' ')} {argument.text}".strip()
         raise Unfillable(
             "VALUE_NOT_ALLOWED",
-            f'The {spoken_name(element.name)} of {spoken_name(frame.name)} cannot be "{said}", only {allowed}.',
+            f'The {spoken_name(element.name)} cannot be "{said}", only {allowed}.',
         )
 
 
@@ -131,9 +129,7 @@ def extra_thematic_arguments(
     )
 
 
-def _measured(
-    frame: SemanticFrame, element: FrameElement, quantity: Quantity, found: Mapping[str, TypedArgument]
-) -> TypedArgument:
+def _measured(element: FrameElement, quantity: Quantity, found: Mapping[str, TypedArgument]) -> TypedArgument:
     """Return the argument of an element with a quantity, with its measure.
 
     Raises:
@@ -150,9 +146,7 @@ def _measured(
             measure = None if number is not None else parse_measure(said, quantity=quantity.value)
         except QuantityError as error:
             code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
-            raise Unfillable(
-                code, f"I cannot use the {spoken_name(element.name)} of {spoken_name(frame.name)}: {error}"
-            ) from error
+            raise Unfillable(code, f"I cannot use the {spoken_name(element.name)}: {error}") from error
         amount, name = (number, "") if measure is None else (measure.amount, measure.unit)
         si = number if measure is None else measure.si_amount
         argument = replace(argument, measure=Measure(quantity.value, said, amount, name, si))

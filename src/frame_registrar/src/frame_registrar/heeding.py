@@ -76,4 +76,4 @@ def sentence_about(argument: TypedArgument, frame: SemanticFrame, profiles: Sequ
     values = tuple(dict.fromkeys(value for one in stated for value in one.values))
     allowed = f"{join_with_or(relations)} something" if relations else join_with_or(values) if values else ""
     only = f", only {allowed}" if allowed else ""
-    return f'The {spoken_name(argument.name)} of {spoken_name(frame.name)} cannot be "{said}"{only}.'
+    return f'The {spoken_name(argument.name)} cannot be "{said}"{only}.'

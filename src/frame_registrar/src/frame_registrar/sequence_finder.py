@@ -292,6 +292,6 @@ def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refu
     if not said:
         return Refusal(
             "MISSING_ELEMENT",
-            f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing. It can be {allowed}.",
+            f"The {spoken_name(element)} is missing. It can be {allowed}.",
         )
     return Refusal("VALUE_NOT_ALLOWED", f'The {spoken_name(element)} cannot be "{said}", only {allowed}.')

@@ -408,7 +408,7 @@ def test_relation_that_a_frame_cannot_express_is_refused(relation: str, is_done:
     else:
         assert found == Refusal(
             "VALUE_NOT_ALLOWED",
-            'The goal of releasing cannot be "under the table", only on or next to something.',
+            'The goal cannot be "under the table", only on or next to something.',
         )
 
 

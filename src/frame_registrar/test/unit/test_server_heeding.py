@@ -59,7 +59,7 @@ def test_what_no_server_heeds_is_refused_by_name() -> None:
     code, sentence = servers_of(found({("putting", "on_only"): ON_ONLY}, goal("under")))
     assert (code, sentence) == (
         "VALUE_NOT_ALLOWED",
-        'The goal of putting cannot be "under the table", only on something.',
+        'The goal cannot be "under the table", only on something.',
     )
 
 
@@ -146,7 +146,7 @@ def test_what_a_frame_cannot_express_is_refused_by_name(argument: Dict[str, Any]
     if not refused:
         assert servers_of(outcome) == [("arm",)]
         return
-    sentence = f'The theme of taking cannot be "{said.text}", only {refused}.'
+    sentence = f'The theme cannot be "{said.text}", only {refused}.'
     assert servers_of(outcome) == ("VALUE_NOT_ALLOWED", sentence)
 
 
