@@ -35,7 +35,6 @@ class Heard:
         by_grammar, by_ngram: words that the searches heard
         answer: name of the answer that both searches heard; empty for none
         is_stop: whether both searches heard words that stop the robot
-        is_refused: whether the offer is something that the robot would refuse, and say why
     """
 
     verdict: Verdict
@@ -44,7 +43,6 @@ class Heard:
     by_ngram: Words = ()
     answer: str = ""
     is_stop: bool = False
-    is_refused: bool = False
 
     @property
     def is_emergency(self) -> bool:

@@ -79,7 +79,7 @@ def choose(candidates: Sequence[Candidate]) -> Heard:
         if is_clear:
             # The person learns from the reply why it is not done.
             said = Offer("", (), first.best.sentence.text.rstrip(".!?"))
-            return replace(heard, verdict=Verdict.LIKELY, offers=(said,), is_refused=True)
+            return replace(heard, verdict=Verdict.LIKELY, offers=(said,))
         return heard if meaning.sense is not Sense.NONE else replace(heard, verdict=Verdict.NOTHING)
     if is_clear and not meaning.unknown:
         return replace(heard, verdict=Verdict.SURE, offers=(meaning.offer,))

@@ -63,7 +63,7 @@ def test_a_motion_is_asked_about_and_begins_with_a_yes() -> None:
 
 
 def test_what_would_be_refused_is_asked_about_but_not_of_talk() -> None:
-    refused = Heard(Verdict.LIKELY, (Offer("", (), "fly to the moon"),), is_refused=True)
+    refused = Heard(Verdict.LIKELY, (Offer("", (), "fly to the moon"),))
     _, done = run([Pushed(), *spoken(refused)])
     assert done == [Say('I heard "fly to the moon". Is that right?', is_question=True)]
     _, done = run(spoken(refused), ALWAYS)
