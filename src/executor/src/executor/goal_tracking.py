@@ -372,9 +372,18 @@ def describe_failures(goals: Sequence[Goal]) -> str:
 
 def reason_for_person(goal: Goal) -> str:
     """Return why a goal failed, without the full stop and without a name that only engineers know."""
-    if goal.told and not goal.fault and goal.status in (GoalStatusCode.ABORTED, GoalStatusCode.REJECTED):
-        return goal.told.rstrip(".")
-    return f"the program for it {goal.reason}"
+    return own_words(goal) or unnamed(goal.reason)
+
+
+def own_words(goal: Goal) -> str:
+    """Return what a server told as it gave up, without the full stop; empty for none."""
+    gave_up = not goal.fault and goal.status in (GoalStatusCode.ABORTED, GoalStatusCode.REJECTED)
+    return goal.told.rstrip(".") if gave_up else ""
+
+
+def unnamed(reason: str) -> str:
+    """Return a clause that follows the name of a server as a sentence for a person, who does not know that name."""
+    return f"the program for it {reason}"
 
 
 def as_sentence(words: str) -> str:

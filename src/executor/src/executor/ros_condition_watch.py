@@ -11,7 +11,7 @@ from arbitrator.watching import Observation
 from executor.goal_tracking import GoalDeadlines
 from executor.ros_action_clients import ActionClients
 from executor.ros_running_goals import RunningGoals
-from executor.ros_watch_goals import WatchGoal, WatchGoals
+from executor.ros_watch_goals import WatchEnd, WatchGoal, WatchGoals
 from typed_arguments import FilledFrame
 
 #: Between two looks whether a server is connected, seconds.
@@ -83,28 +83,28 @@ class ConditionWatch:
         for candidate in self._condition.candidates[len(self._reasons) :]:
             frame = candidate.frames[0]
             try:
-                reason = self._send(frame)
+                end = self._send(frame)
             except Exception as fault:  # boundary: a watch that broke without a word would never end
                 rospy.logerr("the watch of %s failed: %s: %s", frame.server, type(fault).__name__, fault)
-                reason = f"cannot be watched: {fault}"
-            if reason is None or self._is_closed.is_set():
+                end = WatchEnd(f"cannot be watched: {fault}")
+            if end is None or self._is_closed.is_set():
                 return
-            self._note(frame, reason)
-        self._on_observation(Observation(fault="; ".join(self._reasons)))
+            self._note(frame, end)
+        self._on_observation(Observation(fault="; ".join(dict.fromkeys(self._reasons))))
 
-    def _note(self, frame: FilledFrame, reason: str) -> None:
-        rospy.logwarn('"%s": %s %s', self._condition.label, frame.server, reason)
-        self._reasons.append(f"{frame.server} {reason}")
+    def _note(self, frame: FilledFrame, end: WatchEnd) -> None:
+        rospy.logwarn('"%s": %s %s', self._condition.label, frame.server, end.reason)
+        self._reasons.append(end.sentence)
 
-    def _send(self, frame: FilledFrame) -> Optional[str]:
-        """Ask one server to watch; returns why it cannot, a clause that follows its name; None when it was asked."""
+    def _send(self, frame: FilledFrame) -> Optional[WatchEnd]:
+        """Ask one server to watch; returns why it cannot; None when it was asked."""
         acceptance_s = self._context.deadlines.acceptance_s
         try:
             connection = self._context.clients.get(frame.server, timeout_s=acceptance_s)
         except ValueError as error:
-            return f"cannot be reached: {error}"
+            return WatchEnd(f"cannot be reached: {error}")
         if connection is None:
-            return "cannot be reached: the master does not answer"
+            return WatchEnd("cannot be reached: the master does not answer")
         is_sent = False
         try:
             reason = self._context.clients.wait_until_ready(
@@ -114,14 +114,14 @@ class ConditionWatch:
                 is_over=self._is_closed.is_set,
             )
             if reason or self._is_closed.is_set():
-                return reason
+                return WatchEnd(reason) if reason else None
             goal = WatchGoal(
                 frame,
                 connection,
                 deadlines=self._context.deadlines,
                 silence_s=self._context.longest_silence_s(frame),
                 on_feedback=self._tell,
-                on_end=lambda reason: self._go_on(frame, goal_id, reason),
+                on_end=lambda end: self._go_on(frame, goal_id, end),
             )
             goal_id = goal.send(lambda: self._context.goals.wake(goal))
             self._context.running_goals.note(frame.server, goal_id)
@@ -135,13 +135,13 @@ class ConditionWatch:
             if not is_sent:
                 self._context.clients.release(frame.server)
 
-    def _go_on(self, frame: FilledFrame, goal_id: str, reason: str) -> None:
+    def _go_on(self, frame: FilledFrame, goal_id: str, end: WatchEnd) -> None:
         """A server does not watch any more: the next one is asked."""
         self._goal = None
         self._context.running_goals.forget(goal_id)
         self._context.clients.release(frame.server)
         if not self._is_closed.is_set():
-            self._note(frame, reason)
+            self._note(frame, end)
             self._begin()
 
     def _tell(self, holds: bool, age_s: float) -> None:

@@ -9,7 +9,7 @@ import queue
 import threading
 import time
 from collections import deque
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Deque, Optional, Set
 
 import rospy
@@ -27,6 +27,24 @@ from typed_arguments.ros_messages import frame_to_message
 _NO_LIMIT_S = 1e9
 
 
+@dataclass(frozen=True)
+class WatchEnd:
+    """Why nobody watches any more.
+
+    Attributes:
+        reason: a clause that follows the name of the server
+        told: what the server told as it gave up; empty for none
+    """
+
+    reason: str
+    told: str = ""
+
+    @property
+    def sentence(self) -> str:
+        """For a person, without the full stop and without the name of the server."""
+        return self.told or tracking.unnamed(self.reason)
+
+
 class WatchGoal:
     """A goal of a server that watches a condition."""
 
@@ -38,7 +56,7 @@ class WatchGoal:
         deadlines: GoalDeadlines,
         silence_s: float,
         on_feedback: Callable[[bool, float], None],
-        on_end: Callable[[str], None],
+        on_end: Callable[[WatchEnd], None],
     ) -> None:
         """
         Args:
@@ -48,7 +66,7 @@ class WatchGoal:
             silence_s: for how long the source may be silent
             on_feedback: called with whether the condition holds, when that changes, and how old that was, seconds; from
                 the thread that follows the goals, as is `on_end`
-            on_end: called once, last, with the reason, a clause that follows the name of the server
+            on_end: called once, last, with the reason
         """
         self._frame = frame
         self._connection = connection
@@ -115,7 +133,7 @@ class WatchGoal:
                 self._said = holds
                 self._hear(Feedback(holds, age_s))
 
-    def step(self) -> Optional[str]:
+    def step(self) -> Optional[WatchEnd]:
         """Apply news and deadlines; returns why the watch is over, None while it goes on."""
         assert self._goal is not None and self._sent is not None
         while self._news:
@@ -135,10 +153,10 @@ class WatchGoal:
         if step.is_cancel_due:
             self._connection.cancel(self._sent)
         if goal.is_ended:
-            return goal.reason or "has ended its watch"
+            return WatchEnd(goal.reason or "has ended its watch", tracking.own_words(goal))
         if goal.phase is Phase.ACCEPTED and now_s - max(self._observed_s, goal.since_s) >= self._silence_s:
             self._connection.cancel(self._sent)
-            return f"said nothing for {self._silence_s:g} s"
+            return WatchEnd(f"said nothing for {self._silence_s:g} s")
         if step.is_question_due:
             self._connection.ask_whether_gone(self._uri, lambda: self._hear(Death()))
         return None
@@ -206,16 +224,16 @@ class WatchGoals:
 
     def _step(self, goal: WatchGoal) -> None:
         try:
-            reason = goal.step()
+            end = goal.step()
         except Exception as fault:  # boundary: one watch that breaks must not end all others
             rospy.logerr("a watch failed: %s: %s", type(fault).__name__, fault)
-            reason = f"cannot be watched: {fault}"
-        if reason is None:
+            end = WatchEnd(f"cannot be watched: {fault}")
+        if end is None:
             return
         with self._lock:
             self._goals.discard(goal)
         try:
             goal.close()
-            goal.on_end(reason)
+            goal.on_end(end)
         except Exception as fault:  # boundary: as above
             rospy.logerr("the end of a watch failed: %s: %s", type(fault).__name__, fault)

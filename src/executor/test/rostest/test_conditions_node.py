@@ -167,7 +167,7 @@ class ConditionsTest(unittest.TestCase):
             self.until(watch("silence", seconds=0.5)),
             Reply.FAILED,
             "CONDITION_UNKNOWN",
-            'I cannot tell whether "it is so": watching said nothing for 1 s. I ended "run".',
+            'I cannot tell whether "it is so": the program for it said nothing for 1 s. I ended "run".',
         )
         self.wait_for_log("one preempted run")
 
@@ -176,7 +176,7 @@ class ConditionsTest(unittest.TestCase):
             self.until(watch("old", seconds=0.5)),
             Reply.FAILED,
             "CONDITION_UNKNOWN",
-            'I cannot tell whether "it is so": watching said nothing for 1 s. I ended "run".',
+            'I cannot tell whether "it is so": the program for it said nothing for 1 s. I ended "run".',
         )
 
     def test_source_that_gives_up_is_named_and_the_next_one_watches(self):
@@ -186,13 +186,13 @@ class ConditionsTest(unittest.TestCase):
             self.until(watch("abort", seconds=0.3)),
             Reply.FAILED,
             "CONDITION_UNKNOWN",
-            'I cannot tell whether "it is so": watching aborted: aborted as asked for. I ended "run".',
+            'I cannot tell whether "it is so": aborted as asked for. I ended "run".',
         )
 
     def test_without_a_source_nothing_begins(self):
         reply = self.wait_for_reply(self.until(watch("so", server="nobody")))
         self.assertEqual((Reply.FAILED, "CONDITION_UNKNOWN"), (reply.outcome, reply.code))
-        self.assertIn("nobody is not running", reply.sentence)
+        self.assertIn("the program for it is not running", reply.sentence)
         self.assertEqual([], self.begun("run"))
 
     def test_failover_stays_in_its_clause(self):
