@@ -28,7 +28,7 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 # What is put between two places is put in one.
 _PLACING = word_class("placing_prepositions") - {"between"}
-_SPEAKERS = word_class("speaker_subjects")
+_WHO_SPEAK = word_class("speaker_subjects")
 _QUESTION_WORDS = word_class("question_words")
 _SHARES = frozenset(["percent", "%"])
 _SINGULAR = frozenset(["NN", "NNP"])
@@ -188,8 +188,9 @@ def is_two_phrases(filled: Filled) -> bool:
     if MESSAGE in filled.roles:
         return False
     subject = filled.tree.subject(filled.head.index)
-    if subject is not None and min(filled.value.positions) < subject.index < filled.head.index:
-        return True
+    first = min(filled.value.positions)
+    if subject is not None and filled.roles & PLACES and first < subject.index < filled.head.index:
+        return any(word.form == "," for word in filled.tree.words[first : subject.index])
     words = [filled.tree.word(index) for index in filled.value.positions]
     if any(word.upos in VERBS for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
         return False
@@ -240,7 +241,7 @@ def is_subject_of_a_question(filled: Filled) -> bool:
     head, form = filled.head, filled.head.said
     if "Ground" not in filled.roles or not head.deprel.startswith("nsubj") or form in _QUESTION_WORDS:
         return False
-    if form in _SPEAKERS:
+    if form in _WHO_SPEAK:
         return True
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
     is_asked = any(word.said in _QUESTION_WORDS for word in asked if word.index < head.index)
