@@ -49,11 +49,7 @@ class LinkedConditions:
     def _checked_before_deed(self, place: int, length: int) -> Tuple[Optional[Joint], int]:
         """Return both parts of "*check if the door is open and* close it *if it is*"."""
         words = self._said.words
-        cases = ((start, shipped_links().answer_at(self._said.forms[start:])) for start in range(place + 2, len(words)))
-        start, kind = next(
-            ((start, kind) for start, (kind, behind) in cases if kind is not None and self._said.is_end(start + behind)),
-            (0, None),
-        )
+        start, kind = self._case_at_end(place)
         for border in range(place + length + 1, start):
             if kind is None or words[border].upos not in ("PUNCT", "CCONJ"):
                 continue
@@ -66,6 +62,14 @@ class LinkedConditions:
             behind = frozenset(word.index for word in words[start:] if word.upos != "PUNCT")
             return replace(joint, positions=joint.positions | behind), end
         return None, 0
+
+    def _case_at_end(self, place: int) -> Tuple[int, Optional[LinkKind]]:
+        """Return where the words behind a place begin that end the sentence with a case, "if it is", and the case."""
+        for start in range(place + 2, len(self._said.words)):
+            kind, length = shipped_links().answer_at(self._said.forms[start:])
+            if kind is not None and self._said.is_end(start + length):
+                return start, kind
+        return 0, None
 
     def of_persons(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return what each of many persons does: "greet everybody *who comes in*", "greet whoever *comes in*"."""
