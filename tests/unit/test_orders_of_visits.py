@@ -36,7 +36,7 @@ def test_all_goals_of_a_list_avoid_it(pipeline):
 @pytest.mark.parametrize(
     "text",
     [
-        "Go first to the kitchen, then to the office, and last to the hall.",
+        "Go first to the kitchen, then to the office, and finally to the hall.",
     ],
 )
 def test_goals_with_prepositions(pipeline, text):
@@ -47,7 +47,6 @@ def test_goals_with_prepositions(pipeline, text):
     "text",
     [
         "Visit the kitchen, then the office and finally the hall.",
-        "Visit the kitchen, the office and last of all the hall.",
     ],
 )
 def test_words_of_order_are_no_part_of_an_item(pipeline, text):

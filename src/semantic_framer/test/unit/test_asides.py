@@ -15,7 +15,6 @@ OPENINGS = (
     "if you don't mind, {}",
     "would it be possible for you to {}",
     "I think you should {}",
-    "you know what, {}",
     "hurry up and {}",
     "don't forget to {}",
     "make sure to {}",
@@ -28,7 +27,6 @@ OPENINGS = (
     "could you please possibly {}",
     "help me {}",
     "robot, would you be able to {}",
-    "quick, {}",
 )
 ENDINGS = (
     "{} if you don't mind",

@@ -59,7 +59,6 @@ def test_mistakes_are_reported(text: str, code: str) -> None:
     [
         ("Thank you for your help.", "TALK", "You are welcome."),
         ("Sorry about that.", "TALK", "That is all right."),
-        ("It is sunny.", "TALK", "I hear you. Tell me what to do."),
         ("Yes.", "TALK", "I have no open question."),
         ("Help me.", "TALK", 'Ask me: "What can you do?".'),
         ("No.", "CORRECTION", "All right, I do nothing."),

@@ -134,7 +134,6 @@ def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[s
         ("Is the door open or closed?", "The door is closed."),
         ("Is the door closed right now?", "Yes, the door is closed."),
         ("Is the door open at the moment?", "No, the door is closed."),
-        ("Did somebody leave the door open?", "No, the door is closed."),
         ("Where has Anna gone?", "Anna is in the kitchen."),
         ("Where did the mug go?", "The mug is on the table in the kitchen."),
         ("Is there a bottle in the office or not?", "No, I know of no bottle in the office."),

@@ -28,6 +28,7 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 # What is put between two places is put in one.
 _PLACING = word_class("placing_prepositions") - {"between"}
+_WHO_SPEAK = word_class("speaker_subjects")
 _QUESTION_WORDS = word_class("question_words")
 _SHARES = frozenset(["percent", "%"])
 _SINGULAR = frozenset(["NN", "NNP"])
@@ -182,10 +183,14 @@ def is_one_of_two_places(filled: Filled) -> bool:
 
 def is_two_phrases(filled: Filled) -> bool:
     """Whether a noun phrase directly follows another: in "room 3 polish the table" the parser took the verb of a new
-    command for a noun.
+    command for a noun. In "for your information, the mug is in the sink", the subject stands between them.
     """
     if MESSAGE in filled.roles:
         return False
+    subject = filled.tree.subject(filled.head.index)
+    first = min(filled.value.positions)
+    if subject is not None and filled.roles & PLACES and first < subject.index < filled.head.index:
+        return any(word.form == "," for word in filled.tree.words[first : subject.index])
     words = [filled.tree.word(index) for index in filled.value.positions]
     if any(word.upos in VERBS for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
         return False
@@ -231,11 +236,13 @@ def is_side_of_the_place_before(filled: Filled) -> bool:
 
 def is_subject_of_a_question(filled: Filled) -> bool:
     """Whether the subject of an indirect question is taken for what is looked at: "find out where *my keys* are" does
-    not look at the keys. "Whether the oven is hot" does.
+    not look at the keys, nor "check whether *I* left it open" at the speaker. "Whether the oven is hot" does.
     """
     head, form = filled.head, filled.head.said
     if "Ground" not in filled.roles or not head.deprel.startswith("nsubj") or form in _QUESTION_WORDS:
         return False
+    if form in _WHO_SPEAK:
+        return True
     asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
     is_asked = any(word.said in _QUESTION_WORDS for word in asked if word.index < head.index)
     return is_asked or filled.tree.governor(head).said in _QUESTION_WORDS

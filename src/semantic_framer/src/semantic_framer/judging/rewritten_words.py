@@ -82,15 +82,15 @@ def lost_in_rewriting(
 
 
 def _spans_written_out(tree: DependencyTree, named: AbstractSet[int]) -> List[Tuple[int, int]]:
-    """Return the parts of the text that are written in other words, if these words are understood: "*let* Bob
-    *know*" is "tell Bob"."""
+    """Return the parts of the text that are written in other words, if these words are understood: "*off of*" is
+    "off"."""
     forms = {_plain(tree.word(index).form) for index in named if 0 < index <= len(tree.words)}
     texts = [(0, tree.text.lower())]
     texts += [(part.start(), part.group().lower().rstrip()) for part in _SENTENCE.finditer(tree.text)]
     return [
         (start + match.start(), start + match.end())
         for formula in shipped_formulas()[WRITTEN_OUT]
-        if formula.says or forms & set(RUN.findall(_GROUP.sub(" ", formula.written)))
+        if forms & set(RUN.findall(_GROUP.sub(" ", formula.written)))
         for start, text in texts
         for match in formula.pattern.finditer(text)
     ]

@@ -210,8 +210,11 @@ class _Front:
         if verdict.kind is UtteranceKind.COMMAND and self._has_aside:
             verdict = replace(verdict, kind=UtteranceKind.REQUEST, reason="request_formula")
         has_subject = bool(frozenset(self._said) & (_SUBJECTS | {"NP"}))
-        is_background = has_subject and verdict.kind in (UtteranceKind.REPORT, UtteranceKind.WISH, UtteranceKind.TALK)
-        return replace(verdict, is_background=is_background)
+        is_told = verdict.kind in (UtteranceKind.REPORT, UtteranceKind.WISH, UtteranceKind.TALK)
+        subject = self._tree.subject(self._top)
+        # "*Whoever comes in*, greet them" says when.
+        is_relative = subject is not None and subject.xpos == "WP"
+        return replace(verdict, is_background=has_subject and is_told and not is_relative)
 
     def _kind(self) -> KindVerdict:
         if self.is_watched():

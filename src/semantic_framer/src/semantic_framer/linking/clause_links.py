@@ -86,7 +86,8 @@ class _Finder:
         open_time: Optional[Joint] = None
         place = 0
         while place < len(self._said.words):
-            if self._said.words[place].index in self._said.sentence.tree.quoted:
+            index = self._said.words[place].index
+            if index in self._said.sentence.tree.quoted or any(index in joint.positions for joint in found):
                 place += 1
                 continue
             bound, end = self._said.bound(place)

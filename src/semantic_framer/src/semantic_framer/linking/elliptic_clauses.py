@@ -21,6 +21,7 @@ _FOUND = word_class("object_pronouns") | {"one", "any"}
 _DONE = frozenset(["done", "finished"])
 _SOME = word_class("determiners_of_any") | {"one"}
 _WHEN = frozenset(["when", "once"])
+_ENDS = frozenset([".", "!", "?"])
 
 
 class Case(Enum):
@@ -98,27 +99,28 @@ class _Words:
             return self._found(Case.HOLDS_NOT)
         if self._takes(_THINGS | _PERSONS, _BEING):
             self._takes({"there"})
-            return self._before_comma()
-        return self._before_comma() if self._takes(_THINGS | _PERSONS, _DOING) else None
+            return self._before_end()
+        return self._before_end() if self._takes(_THINGS | _PERSONS, _DOING) else None
 
     def _existence(self) -> Optional[EllipticClause]:
         if self._takes({"none"}):
             return self._found(Case.FAILED)
         self._takes(_SOME)
-        return self._before_comma()
+        return self._before_end()
 
     def _success(self) -> Optional[EllipticClause]:
         """Read what is behind "if you can", "if you do": "n't find it"."""
         is_ability = self._forms[self._place - 1] not in _DOING
         is_denied = self._forms[self._place - 1] == "cannot" or self._takes(_NOT)
         if not is_denied:
-            return self._before_comma()
+            return self._before_end()
         is_found = self._takes({"find"}, _FOUND)
         return self._found(Case.FAILED) if is_found or is_ability else None
 
-    def _before_comma(self) -> Optional[EllipticClause]:
-        """Without the comma, a condition of its own may follow: "if it is open"."""
-        return self._found(Case.HOLDS) if self._takes({","}) else None
+    def _before_end(self) -> Optional[EllipticClause]:
+        """Before another word, a condition of its own may follow: "if it is open"."""
+        is_last = self._place == len(self._forms) or self._forms[self._place] in _ENDS
+        return self._found(Case.HOLDS) if self._takes({","}) or is_last else None
 
     def done(self) -> Optional[EllipticClause]:
         """Read a clause behind "when": "you are done with that", "that is done"."""

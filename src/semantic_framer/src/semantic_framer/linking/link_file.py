@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
@@ -16,19 +16,8 @@ from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
-_MAPPINGS = ("kinds_of_order", "limits")
-_TABLES = (
-    "links",
-    "links_before_that",
-    "joiners",
-    "afterwards",
-    "answers",
-    "deeds",
-    "orders",
-    "kinds_of_order",
-    "limits",
-)
-_LISTS = ("checks", "adverbs", "adverbs_of_nearness")
+_TABLES = ("links", "joiners", "afterwards", "answers", "deeds", "orders", "limits")
+_LISTS = ("checks", "adverbs", "adverbs_of_nearness", "reversals")
 _WHETHER = word_class("whether_words")
 _NOT = word_class("not")
 _CONJUNCTIONS = word_class("linking_conjunctions") | {"or"}
@@ -36,8 +25,10 @@ _ONLY = word_class("restricting_adverbs")
 _ITERATIONS = word_class("iteration_nouns")
 _WISHING = word_class("wishing_verbs") | {"want"}
 _HEADS_OF_ORDER = frozenset(["order", "sequence"])
-#: What says nothing about an order.
-_BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs") | frozenset(["particular", "special"])
+_BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs")
+_POINTING = word_class("demonstrative_determiners")
+#: What leaves an order open: "in *any* order", "in *no* particular order", besides "in *whatever* order".
+_ANY = word_class("no_things") | word_class("determiners_of_any") - word_class("articles")
 #: The most words of "in any order that you like" before and behind "order".
 _LONGEST_ORDER = 6
 #: Limits that need no preposition: "*minimum* two times".
@@ -111,7 +102,7 @@ class Links:
         adverbs: may stand before a link: "*only* when"
         adverbs_of_nearness: may stand before "before" and "after"
         orders: what says how several deeds, or all of them, are done, by its words
-        kinds_of_order: the same, by what stands before "order"
+        reversals: what turns the order round, before "order"
         limits: a least or a largest number, by its superlative: "at the *most*"
     """
 
@@ -124,7 +115,7 @@ class Links:
     adverbs: FrozenSet[str]
     adverbs_of_nearness: FrozenSet[str]
     orders: PhraseTable[Link]
-    kinds_of_order: Mapping[str, Link]
+    reversals: FrozenSet[str]
     limits: Mapping[str, Link]
 
     def link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
@@ -218,16 +209,14 @@ class Links:
         if link is not None or list(forms[:1]) != ["in"]:
             return link, length
         head = next((place for place, form in enumerate(forms[:_LONGEST_ORDER]) if form in _HEADS_OF_ORDER), 0)
-        behind = list(forms[head + 1 :])
-        kinds = [self.kinds_of_order[form] for form in forms[1:head] if form in self.kinds_of_order]
-        if not head or not frozenset(forms[1:head]) <= _BEFORE_ORDER | self.kinds_of_order.keys():
-            return None, 0
-        if behind[:1] == ["given"]:
-            return self.kinds_of_order["given"], head + 2
-        more = _relative_length(behind)
-        if more and not kinds:
-            kinds = [self.kinds_of_order["any" if behind[more - 1] in _WISHING else "given"]]
-        return (kinds[-1], head + 1 + more) if kinds else (None, 0)
+        before = frozenset(forms[1:head])
+        more = _length_of_wish(forms[head + 1 :])
+        if head and before & self.reversals and before <= self.reversals | _BEFORE_ORDER:
+            return Link(LinkKind.REVERSED), head + 1
+        if len(before) == 1 and before <= _POINTING:
+            return Link(LinkKind.IN_ORDER), head + 1
+        is_open = more or any(form in _ANY or form.endswith("ever") for form in before)
+        return (Link(LinkKind.ANY_ORDER), head + 1 + more) if head and is_open else (None, 0)
 
     def count_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the words before a number of times that words in lower case begin with, and their number."""
@@ -292,13 +281,11 @@ _JOINERS = {
 }
 
 
-def _relative_length(forms: List[str]) -> int:
-    """Return the number of words of a relative clause behind "order": "that you like", "in which I named them"."""
-    place = 1 if forms[:1] == ["that"] else 2 if forms[:2] == ["in", "which"] else 0
-    if forms[place : place + 1] == ["you"] and forms[place + 1 : place + 2] and forms[place + 1] in _WISHING:
-        return place + 2
-    is_named = forms[place : place + 1] == ["i"] and forms[place + 1 : place + 2] in (["named"], ["said"])
-    return place + 3 if is_named and forms[place + 2 : place + 3] == ["them"] else 0
+def _length_of_wish(forms: Sequence[str]) -> int:
+    """Return the number of words behind "order" that leave it open: "you like", "that you want"."""
+    place = int(list(forms[:1]) == ["that"])
+    is_wish = list(forms[place : place + 1]) == ["you"] and forms[place + 1 : place + 2]
+    return place + 2 if is_wish and forms[place + 1] in _WISHING else 0
 
 
 def load_links(text: str, path: str) -> Links:
@@ -316,11 +303,8 @@ def load_links(text: str, path: str) -> Links:
     words = {name: _words(reader, nodes.get(name), name) for name in _TABLES}
     lists = {name: frozenset(reader.texts(nodes.get(name), name)) for name in _LISTS}
     reader.refuse_if_wrong()
-    for phrase, link in words["links_before_that"].items():
-        words["links"].update({phrase: link, (*phrase, "that"): link})
     words["joiners"].update(words["afterwards"])
     table = {name: PhraseTable(phrases) for name, phrases in words.items()}
-    first = {name: {phrase[0]: link for phrase, link in words[name].items()} for name in _MAPPINGS}
     return Links(
         links=table["links"],
         joiners=table["joiners"],
@@ -331,8 +315,8 @@ def load_links(text: str, path: str) -> Links:
         adverbs=lists["adverbs"],
         adverbs_of_nearness=lists["adverbs_of_nearness"],
         orders=table["orders"],
-        kinds_of_order=first["kinds_of_order"],
-        limits=first["limits"],
+        reversals=lists["reversals"],
+        limits={phrase[0]: link for phrase, link in words["limits"].items()},
     )
 
 

@@ -29,7 +29,7 @@ class LinkedConditions:
 
     def checked(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a condition that is checked first: "*check if the door is open, and if so,* close it", "*is the door
-        open? If so,* close it".
+        open?* Close it *if it is*".
         """
         length = shipped_links().check_at(self._said.forms[place:])
         is_question = is_auxiliary(self._said.words[place]) and (
@@ -44,7 +44,32 @@ class LinkedConditions:
             condition = read_asked(self._said.sentence, self._said.known, said)
             joint = self._said.joint(Link(kind), place, end, length, condition)
             return (joint, end) if condition is not None else (None, 0)
+        return self._checked_before_deed(place, length) if length or is_question else (None, 0)
+
+    def _checked_before_deed(self, place: int, length: int) -> Tuple[Optional[Joint], int]:
+        """Return both parts of "*check if the door is open and* close it *if it is*"."""
+        words = self._said.words
+        start, kind = self._case_at_end(place)
+        for border in range(place + length + 1, start):
+            if kind is None or words[border].upos not in ("PUNCT", "CCONJ"):
+                continue
+            said = [word.index for word in words[place + length : border]]
+            condition = read_asked(self._said.sentence, self._said.known, said)
+            if condition is None:
+                continue
+            end = next(at for at in range(border, len(words)) if words[at].upos not in ("PUNCT", "CCONJ"))
+            joint = self._said.joint(Link(kind), place, end, length, condition)
+            behind = frozenset(word.index for word in words[start:] if word.upos != "PUNCT")
+            return replace(joint, positions=joint.positions | behind), end
         return None, 0
+
+    def _case_at_end(self, place: int) -> Tuple[int, Optional[LinkKind]]:
+        """Return where the words behind a place begin that end the sentence with a case, "if it is", and the case."""
+        for start in range(place + 2, len(self._said.words)):
+            kind, length = shipped_links().answer_at(self._said.forms[start:])
+            if kind is not None and self._said.is_end(start + length):
+                return start, kind
+        return 0, None
 
     def of_persons(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return what each of many persons does: "greet everybody *who comes in*", "greet whoever *comes in*"."""

@@ -297,6 +297,8 @@ def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence
                 if is_person and (_is_deed(words[place]) or set(forms[place + 1 : place + 2]) & _DOWNWARD):
                     return sentence.text([word.index for word in words[place - 1 :]])
             for place in range(1, len(words)):
+                if forms[place - 1] in _MANY and words[place - 1].xpos == "WP" and _is_deed(words[place]):
+                    return sentence.text([word.index for word in words[place - 1 :]])  # "*Whoever comes in*."
                 joiner, _ = shipped_links().joiner_at(forms[place:])
                 if joiner is not None and joiner.kind in _OTHERWISE:
                     return sentence.text([word.index for word in words[place:]])

@@ -47,14 +47,12 @@ class Formula:
         example: a sentence that contains the formula
         becomes: the example without the formula; the file need not name the usual one
         written: the full form, with the groups of the pattern as ``\\1``; empty if the formula is left out
-        says: what the words say that the full form leaves out, if that changes nothing in what is done
     """
 
     pattern: Pattern[str]
     example: str
     becomes: str = ""
     written: str = ""
-    says: str = ""
 
 
 def load_formulas(
@@ -79,15 +77,13 @@ def load_formulas(
         formulas: List[Formula] = []
         for key, item in reader.sequence(node, kind):
             wanted = (*keys, "becomes", "written") if kind == WRITTEN_OUT else keys
-            possible = (*wanted, "says") if kind == WRITTEN_OUT else (*wanted, "becomes")
-            entries = reader.mapping(item, key, possible, required=wanted)
-            says = reader.name(entries.get("says"), f"{key}.says") if "says" in entries else ""
+            entries = reader.mapping(item, key, (*wanted, "becomes"), required=wanted)
             written = reader.name(entries.get("written"), f"{key}.written") if "written" in entries else ""
             example = reader.name(entries.get("example"), f"{key}.example")
             becomes = reader.name(entries.get("becomes"), f"{key}.becomes") if "becomes" in entries else _LEFT
             if "pattern" in entries:
                 pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
-                formulas.append(Formula(pattern, example, becomes, written, says))
+                formulas.append(Formula(pattern, example, becomes, written))
         if not formulas:
             reader.report("EMPTY", node, kind, "nothing", "a list of patterns")
         found[kind] = tuple(formulas)

@@ -119,7 +119,7 @@ def ratios(spelling: Spelling) -> Spelling:
     return replaced(spelling, _RATIO, " / ")
 
 
-@text_pass(Kind.SPELLING, Example("didja move, I'm gonna go", ("did you move, I'm going to go",)))
+@text_pass(Kind.SPELLING, Example("didnt move, I'm gonna go", ("didn't move, I'm going to go",)))
 def contractions(spelling: Spelling) -> Spelling:
     """Write contracted words in full: "gonna", "dont"."""
     for pattern, written in _CONTRACTIONS:
