@@ -3,9 +3,10 @@
 from typing import Sequence
 
 from semantic_types import Fit, shipped_types
-from utterance_passes.trees.tree import NOUNS, Word
+from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 from word_classes import word_class
 
+_STANDINS = word_class("noun_standins")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
 
 
@@ -35,3 +36,21 @@ def is_name_of_person(word: Word) -> bool:
 def is_likely(word: Word, types: Sequence[str]) -> bool:
     """Whether a noun usually has one of some types."""
     return shipped_types().of_noun([word.said, word.lemma.lower()]).fit(types) is Fit.LIKELY
+
+
+def is_abstract(tree: DependencyTree, index: int) -> bool:
+    """Whether a noun hardly ever names what can be seen and touched: "in a *hurry*", "your *opinion*". What is measured
+    or stands for another noun may be anything: "a *litre* of milk", "the red *one*"."""
+    word = tree.word(index)
+    children = tree.children(index)
+    if (
+        word.upos != "NOUN"
+        or word.lemma.lower() in _STANDINS
+        or any(tree.preposition(child.index) == "of" for child in children)
+    ):
+        return False
+    parts = [child.said for child in children if child.deprel in ("compound", "amod") and child.index < index]
+    fit = (
+        shipped_types().of_noun([" ".join([*parts, word.said]), word.said, word.lemma.lower()]).fit(["Physical_entity"])
+    )
+    return fit in (Fit.WRONG, Fit.POSSIBLE)
