@@ -26,9 +26,9 @@ _ITERATIONS = word_class("iteration_nouns")
 _WISHING = word_class("wishing_verbs") | {"want"}
 _HEADS_OF_ORDER = frozenset(["order", "sequence"])
 _BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs")
-_POINTING = word_class("demonstrative_determiners")
+_POINTING = word_class("pronouns_of_things")
 #: What leaves an order open: "in *any* order", "in *no* particular order", besides "in *whatever* order".
-_ANY = word_class("no_things") | word_class("determiners_of_any") - word_class("articles")
+_ANY = word_class("no_things") | word_class("indefinite_articles") - word_class("articles")
 #: The most words of "in any order that you like" before and behind "order".
 _LONGEST_ORDER = 6
 #: Limits that need no preposition: "*minimum* two times".
