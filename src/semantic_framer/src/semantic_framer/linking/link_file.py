@@ -28,7 +28,7 @@ _HEADS_OF_ORDER = frozenset(["order", "sequence"])
 _BEFORE_ORDER = word_class("articles") | word_class("exact_adverbs")
 _POINTING = word_class("pronouns_of_things")
 #: What leaves an order open: "in *any* order", "in *no* particular order", besides "in *whatever* order".
-_ANY = word_class("no_things") | word_class("indefinite_articles") - word_class("articles")
+_ANY = frozenset(["no"]) | word_class("indefinite_articles") - word_class("articles")
 #: The most words of "in any order that you like" before and behind "order".
 _LONGEST_ORDER = 6
 #: Limits that need no preposition: "*minimum* two times".
