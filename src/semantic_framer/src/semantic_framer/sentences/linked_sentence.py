@@ -39,7 +39,6 @@ _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_
 _MANNERS = (
     LinkKind.ANY_ORDER,
     LinkKind.IN_ORDER,
-    LinkKind.EXACTLY,
     LinkKind.BEFORE_THAT,
     LinkKind.ROUND,
     LinkKind.REVERSED,
