@@ -23,6 +23,6 @@ def read_vectors(path: Path) -> Dict[str, "NDArray[np.float32]"]:
     try:
         with np.load(path, allow_pickle=False) as content:
             texts, rows = content["texts"].tolist(), content["rows"]
-    except (OSError, ValueError, KeyError, zipfile.BadZipFile):
+    except (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile):
         return {}
     return dict(zip(texts, rows))

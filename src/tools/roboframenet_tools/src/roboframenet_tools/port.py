@@ -109,9 +109,10 @@ def port(text: str) -> Ported:
     """
     try:
         tree = ast.parse(text)
-    except SyntaxError as error:
-        raise PortError(f"line {error.lineno}: this is not Python 3 ({error.msg}); nothing is changed") from error
-    except ValueError as error:
+    except (SyntaxError, ValueError) as error:
+        if isinstance(error, SyntaxError) and error.lineno is not None:
+            raise PortError(f"line {error.lineno}: this is not Python 3 ({error.msg}); nothing is changed") from error
+        # A null byte: an error without a line, of either kind, as Python's version will.
         raise PortError(f"this is no Python source ({error}); nothing is changed") from error
     names = _imported_names(tree)
     sites = sorted(_sites(tree, names), key=lambda site: (site.expression.lineno, site.expression.col_offset))

@@ -254,7 +254,9 @@ def test_output_that_nobody_reads_ends_quietly(words):
         check=False,
     )
     reader.stdin.close()
-    assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")
+    # The argparse of newer Pythons keeps to itself that nobody read the help.
+    allowed = (OUTPUT_CLOSED, 0) if "--help" in words else (OUTPUT_CLOSED,)
+    assert result.returncode in allowed and result.stderr == ""
 
 
 @pytest.mark.parametrize(
