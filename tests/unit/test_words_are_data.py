@@ -135,5 +135,5 @@ def test_every_word_class_is_used() -> None:
     formulas = "".join(path.read_text(encoding="utf-8") for path in paths)
     used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
     # Used by without_determiner and by agreement; the last one is only known, as all others are.
-    own = {"determiners", "agreements", "refusals", "around_answers", "words_of_no_rule"}
+    own = {"determiners", "agreements", "refusals", "words_of_no_rule"}
     assert not set(word_classes()) - used - own

@@ -7,7 +7,7 @@ from semantic_frames.frame import SemanticFrame
 from typed_arguments import EmbeddedFrame, FilledFrame, TypedArgument
 from word_classes import without_determiner, word_class
 
-_ANY = word_class("determiners_of_any")
+_ANY = word_class("indefinite_articles")
 #: The frame of descriptions that say where something is.
 _BEING_LOCATED = "being_located"
 #: Referents of an argument that means all of them.

@@ -19,7 +19,7 @@ _PLACE_NOUNS = word_class("general_place_nouns")
 _PRONOUNS = word_class("pronouns")
 _PRONOUNS_OF_PLACES = word_class("here_and_there")
 _PORTIONS = word_class("measure_nouns")
-_SPEAKER = word_class("speaker_possessors")
+_SPEAKER = word_class("words_of_the_speaker")
 _STANDINS = word_class("noun_standins")
 #: What a description with "of" may mean: "the door of the kitchen" leads there, "the mug of Anna" is hers.
 _OF = ("of", "to", "in", "on")

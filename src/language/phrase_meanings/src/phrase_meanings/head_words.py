@@ -20,11 +20,10 @@ _LAST = word_class("last_ordinals")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _POSTURES = word_class("posture_verbs")
-_PRESENT = word_class("present_forms_of_be")
 _PRESENT_TENSE = frozenset(["VBP", "VBZ"])
 _SIDES = word_class("sides")
 #: Ordinal words in their order, from 1.
-_ORDINALS = word_list("ordinals_in_order")
+_ORDINALS = word_list("ordinals")
 
 
 @dataclass(frozen=True)
@@ -114,11 +113,11 @@ def located_there(tree: DependencyTree, clause: Word) -> int:
     children = tree.children(clause.index)
     subjects = [child.index for child in children if child.deprel == "nsubj"]
     forms = {clause.said, *(child.said for child in children if child.deprel == "advmod")}
-    helping = [child.said for child in children if child.deprel in ("cop", "aux")]
+    helping = [child.xpos for child in children if child.deprel in ("cop", "aux")]
     is_posture = clause.lemma.lower() in _POSTURES and (bool(helping) or clause.xpos in _PRESENT_TENSE)
     is_there = is_posture or any(child.deprel == "cop" for child in children)
     # Where somebody was, or is not, is another place.
-    is_now = all(form in _PRESENT for form in helping) and not forms & _NEGATIONS
+    is_now = all(tag in _PRESENT_TENSE for tag in helping) and not forms & _NEGATIONS
     is_place = "where" in forms or clause.said in _PLACE_PREPOSITIONS
     return subjects[0] if len(subjects) == 1 and is_there and is_now and is_place else 0
 

@@ -25,18 +25,18 @@ _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
 #: Prepositions that may introduce a verb.
 _OF_VERBS = frozenset(["by"])
 _COMPLEX_PREPOSITIONS = word_class("complex_prepositions")
-_DEMONSTRATIVES = word_class("demonstrative_determiners")
+_DEMONSTRATIVES = word_class("pronouns_of_things")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _POSTURES = word_class("posture_verbs")
 _QUESTION_WORDS = word_class("question_words")
-_RELATIVE_WORDS = word_class("relative_words")
+_RELATIVE_WORDS = word_class("relative_pronouns") | word_class("relative_adverbs")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
 _BEING_LOCATED, _THEME, _LOCATION = "being_located", "theme", "location"
 _ADDING = frozenset(["as", "but"])
 _BEFORE_LISTS = word_class("words_before_lists")
-_ORDER = word_class("adverbs_of_order") | word_class("additive_adverbs")
+_ORDER = word_class("adverbs_of_order") | word_class("padding")
 _CLITICS = frozenset(["'s", "'", "’s", "’"])
 
 

@@ -58,7 +58,13 @@ def _longest(words: Sequence[str]) -> Optional[Tuple[Optional[bool], int]]:
 @lru_cache(maxsize=None)
 def _phrases() -> Dict[Tuple[str, ...], Optional[bool]]:
     """Return the words of each phrase of an answer, and whether it means yes; None for the words around answers."""
-    around = word_class("around_answers") | word_class("those_addressed") | word_class("titles")
+    around = (
+        word_class("lead_in")
+        | word_class("thanks")
+        | {"you", "oh"}
+        | word_class("those_addressed")
+        | word_class("titles")
+    )
     return {
         **{tuple(phrase.split()): None for phrase in around},
         **{tuple(phrase.split()): True for phrase in word_class("agreements")},

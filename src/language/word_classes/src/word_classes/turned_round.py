@@ -34,7 +34,7 @@ def turned_round(words: str, *, is_clause: bool = False) -> str:
 def _turned_words() -> Dict[str, str]:
     of_speaker, of_hearer = word_list("words_of_the_speaker"), word_list("words_of_the_hearer")
     return {
-        **dict.fromkeys(word_list("words_of_speakers"), of_hearer[0]),
+        **dict.fromkeys(word_list("speaker_subjects") + word_list("speaker_objects"), of_hearer[0]),
         **dict(zip(of_speaker, of_hearer)),
         **dict(zip(of_hearer, of_speaker)),
     }

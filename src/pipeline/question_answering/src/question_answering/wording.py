@@ -23,7 +23,7 @@ from world_model import Sort, WorldObject
 #: The arguments of a question, by the names of their elements.
 Arguments = Mapping[str, TypedArgument]
 Objects = Tuple[WorldObject, ...]
-_ANY = word_class("determiners_of_any")
+_ANY = word_class("indefinite_articles")
 #: Nouns for whatever there is: no kinds.
 _GENERAL = (
     word_class("general_thing_nouns")

@@ -5,8 +5,8 @@ from typing import Sequence, Tuple
 from standing_orders.order import StandingOrder
 from word_classes import word_class
 
-_THAT = word_class("pronouns") | word_class("demonstrative_pronouns")
-_ALL = word_class("all_orders")
+_THAT = word_class("pronouns")
+_ALL = word_class("words_for_all")
 _AROUND = word_class("around_orders")
 
 
@@ -18,8 +18,9 @@ def orders_meant(phrase: str, orders: Sequence[StandingOrder]) -> Tuple[Standing
         orders: that are kept, oldest first
     """
     words = [word.strip(".,!?\"'").lower() for word in phrase.split()]
-    own = [word for word in words if word and word not in _AROUND]
-    if own and all(word in _ALL for word in own):
+    own = [word for word in words if word and _stem(word) not in _AROUND and word not in _AROUND]
+    is_plural = any(word not in _AROUND and _stem(word) in _AROUND for word in words)
+    if (own or is_plural) and all(word in _ALL for word in own):
         return tuple(orders)
     own = [word for word in own if word not in _ALL]
     if not own or all(word in _THAT for word in own):

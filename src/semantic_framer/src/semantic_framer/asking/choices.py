@@ -15,7 +15,7 @@ from utterance_passes.trees.tree_edits import set_aside
 from utterance_passes.trees.vocabulary import Vocabulary, is_verb
 from word_classes import word_class, word_list
 
-_CHOICE_NOUNS = word_class("choice_nouns")
+_CHOICE_NOUNS = word_class("noun_standins")
 _ORDINALS = {
     "former": 0,
     **{word: place for place, word in enumerate(word_list("ordinals"))},

@@ -36,11 +36,12 @@ _UNKNOWN_DEEDS = frozenset(["UNKNOWN_VERB", "NO_READING"])
 _NEAR = 0.45
 #: Words that turn a command round, or limit it: nobody is asked to do without them.
 _LIMITING = (
-    word_class("negating_words")
-    | word_class("negations")
+    word_class("negations")
     | word_class("exceptions_of_all")
-    | word_class("subordinators")
-    | word_class("limits_of_commands")
+    | word_class("conditions")
+    | word_class("reason_conjunctions")
+    | word_class("restricting_adverbs")
+    | {"stop", "without"}
 )
 #: Words that go with the word that they hang on.
 _OF_GRAMMAR = frozenset(["case", "det", "mark", "cc", "punct", "aux", "fixed", "nmod:poss", "cop", "discourse", "expl"])

@@ -11,7 +11,7 @@ from typed_arguments import TypedArgument
 from word_classes import word_class
 
 #: What stands for a thing of the kind that was wished for: "bring me *one*".
-_ANY_OF_THEM = word_class("pronouns_for_any")
+_ANY_OF_THEM = word_class("indefinite_articles") | word_class("noun_standins")
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
 

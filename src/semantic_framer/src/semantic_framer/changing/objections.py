@@ -72,7 +72,7 @@ _HEARERS = word_class("hearers") | {"robot"}
 _OBJECTIONS = word_class("objections")
 _BARE = (_OBJECTIONS | word_class("around_objections")) - {"wrong", "wait"}
 _NO_PRONOUNS = word_class("no_pronouns")
-_OF_OPINION = word_class("verbs_of_opinion")
+_OF_OPINION = word_class("opinion_verbs") | word_class("request_verbs") | word_class("saying_verbs")
 
 
 def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:

@@ -26,7 +26,7 @@ _SWITCHING = "turn"
 _DEVICES = ("Device", "Music")
 _ON_AND_OFF = frozenset(["on", "off"])
 _PLEASE = frozenset(["please"])
-_ONE = word_class("indefinite_articles") | frozenset(["some"])
+_ONE = word_class("indefinite_articles")
 #: A thing without an article: "lights, please" does not ask for lights to be brought.
 _BARE = ("Food", "Fluid")
 _COUNTED = ("Physical_object", "Substance")

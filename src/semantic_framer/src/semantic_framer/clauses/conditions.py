@@ -28,22 +28,28 @@ from word_classes import word_class
 _CONJUNCTIONS: Mapping[str, str] = {"and": "ALL", "or": "ANY"}
 _DO = word_class("forms_of_do")
 _NOT = word_class("not")
-_NOBODY = word_class("indefinite_persons_denied")
-_NOTHING = word_class("indefinite_things_denied")
+#: "Nobody", "nothing".
+_DENIED = word_class("no_pronouns") & word_class("subject_pronouns")
+_NOTHING = "nothing"
 _ANYBODY = word_class("indefinite_persons_asked")
-_WHO = word_class("relative_persons")
+_WHO = word_class("relative_pronouns")
 _STATE, _MESSAGE = "state", "message"
 _PADDING = word_class("condition_padding")
 _STATES = word_class("state_particles")
-_OF_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
-_NO_PHRASE = word_class("question_words") | word_class("subordinators") | word_class("negations")
+_OF_PLACES = word_class("place_prepositions") | word_class("to_prepositions")
+_NO_PHRASE = (
+    word_class("question_words")
+    | word_class("conditions")
+    | word_class("reason_conjunctions")
+    | word_class("negations")
+)
 _FORMS_OF_BE = word_class("forms_of_be")
 #: Universal tags of words that are in no noun phrase, and of words that may end one.
 _NOPHRASE_HEADS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
 _ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
 _OF_MESSAGES = frozenset(["obj", "ccomp", "xcomp"])
-_ALTERNATIVE = word_class("words_before_alternatives")
+_ALTERNATIVE = "either"
 
 
 class _Words(NamedTuple):
@@ -304,15 +310,15 @@ def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> O
             negations += 1
         elif form == "again":
             is_anew = True
-        elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word) or form in _ALTERNATIVE:
+        elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word) or form == _ALTERNATIVE:
             continue
         else:
             is_denied = form == "one" and index > 1 and sentence.word(index - 1).said == "no"
             if is_denied:
                 renamed[index] = "somebody"
-            elif form in _NOBODY | _NOTHING:
+            elif form in _DENIED:
                 negations += 1
-                renamed[index] = "somebody" if form in _NOBODY else "something"
+                renamed[index] = "something" if form == _NOTHING else "somebody"
             elif form in _ANYBODY or index == somebody:
                 renamed[index] = "somebody"
             if index not in renamed and _is_of_the_past(sentence, word):
@@ -366,7 +372,7 @@ def _is_phrase(sentence: Sentence, words: Sequence[Word]) -> bool:
     positions = [word.index for word in words]
     if any(word.upos in _NOPHRASE_HEADS and word.deprel not in ("amod", "compound") for word in words):
         return False
-    if any(word.said in _NO_PHRASE - _NOBODY - _NOTHING for word in words):
+    if any(word.said in _NO_PHRASE - _DENIED for word in words):
         return False
     if not any(word.upos in PHRASE_HEADS for word in (words[0], words[-1])) and words[0].upos != "DET":
         return False

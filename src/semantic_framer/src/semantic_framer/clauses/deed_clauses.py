@@ -21,7 +21,7 @@ from word_classes import word_class
 DEED, AGENT, TIME = "deed", "agent", "time"
 ROBOT, SPEAKER, WHO, WHETHER, WHERE, HOW = "robot", "speaker", "who", "whether", "where", "how"
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
-_WHO = word_class("relative_persons") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
+_WHO = word_class("relative_pronouns") | word_class("indefinite_persons_asked") | word_class("indefinite_persons")
 _PADDING = word_class("condition_padding") | word_class("habitual_adverbs")
 _OBJECTS = frozenset(["dobj", "obj"])
 #: What a question word asks for that stands for no element.

@@ -12,7 +12,7 @@ from semantic_framer.values.sentence import Sentence
 from typed_arguments import EmbeddedFrame, TypedArgument
 from word_classes import word_class
 
-_OPENING = word_class("before_statements")
+_OPENING = word_class("whether_words") | {"that"}
 
 
 def with_statements(reading: Reading, sentence: Sentence, known: FramedLexicon) -> Reading:

@@ -48,9 +48,10 @@ _NOT = word_class("not")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
 #: Alone, they name nothing that was not said already.
-_NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs")
+_NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs") - {"home"}
 #: What may stand before a number of times and nothing else: "another three times".
-_AGAIN = word_class("words_before_repetitions") | {""}
+#: "*Another* three times", "*do it* twice".
+_AGAIN = word_class("more_words") | word_class("forms_of_do") | word_class("pronouns_of_things")
 _NO_FRAGMENT = word_class("negations") | word_class("conditions") | word_class("question_words")
 
 
@@ -156,7 +157,7 @@ def fragment_of(
     times, length = _times_at_end(forms[first:last])
     rest = " ".join(forms[first : last - length])
     # "Once" alone begins a condition.
-    if times > (not rest) and (rest in _AGAIN or _WHOLE[0][1].fullmatch(rest)):
+    if times > (not rest) and (_AGAIN.issuperset(rest.split()) or _WHOLE[0][1].fullmatch(rest)):
         return Fragment(FragmentKind.REPEAT, positions, times=times)
     if core in _LEFT_AND_RIGHT:
         # The parser takes "left" for a verb.

@@ -14,9 +14,6 @@ from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import HeldState, LexicalUnit
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments import Measure, Source, TypedArgument
-from word_classes import word_class
-
-_CLOSED = word_class("words_for_closed")
 
 
 def state_condition(
@@ -117,7 +114,7 @@ def _argument(
         text = sentence.text(positions)
         return replace(argument, text=text, words=text, time=clock.when) if clock is not None else None
     # A state in its usual word: "closed" for "shut".
-    usual = "closed" if argument.text in _CLOSED else "open" if argument.text == "opened" else ""
+    usual = {"shut": "closed", "opened": "open"}.get(argument.text)
     return replace(argument, text=usual) if usual else argument
 
 

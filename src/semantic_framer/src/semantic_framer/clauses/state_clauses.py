@@ -38,22 +38,19 @@ from utterance_passes.trees.tree import NOMINALS, PHRASE_HEADS, Word
 from word_classes import word_class
 
 _PERSON_NOUNS = word_class("general_person_nouns")
-_WHERE = word_class("words_that_ask_where")
-_WHOSE, _HOW, _FROM, _OR = "whose", "how", "from", "or"
+_WHERE, _WHOSE, _HOW, _FROM, _OR = "where", "whose", "how", "from", "or"
 #: Which of two is asked for.
 WHICH_OF = "which"
 _NUMBER, _OWN, _BELONG = "number", "own", "belong"
+_HOLDING = ("hold", "carry")
 _PLACE_NOUNS = word_class("general_place_nouns")
 _STATES = word_class("state_particles")
 _POSTURES = word_class("posture_verbs")
-_KEPT = word_class("verbs_of_keeping_states")
 _COLOURS = word_class("colour_nouns")
-_HELD = word_class("verbs_of_holding")
-_HANDS = word_class("hand_nouns")
-_SEEN = word_class("verbs_of_seeing")
+_SEEN = word_class("finding_verbs") - {"find", "meet"}
 _KNOWN, _BEEN = "know", "been"
-_FOUND = word_class("verbs_of_finding_places")
-_GONE = word_class("verbs_of_getting_somewhere")
+_FOUND = word_class("verbs_of_whereabouts")
+_GONE = word_class("verbs_of_going")
 
 
 def state_clause(
@@ -97,7 +94,7 @@ class _OfBe(StatePhrases):
         helped = any(child.deprel.startswith("aux") and child.lemma.lower() == "be" for child in self._children)
         if not is_state or not helped:
             return None
-        if self._lemma in _HELD:
+        if self._lemma in _HOLDING:
             return self._of_holding(subject)
         if self._lemma in _POSTURES and (place := self._place_of(top)) is not None and not self._asked_of(subject):
             return self._located(subject, place)
@@ -122,7 +119,7 @@ class _OfBe(StatePhrases):
         is_over = self._features.aspect in (Aspect.DONE, Aspect.EVER_DONE)
         if is_over and subject.said in US and any(child.said == _BEEN for child in self._children):
             return None
-        if form in _WHERE:
+        if form == _WHERE:
             return self._where(subject)
         if form in WHO and subject.said in HERE:
             return StateClause(LOCATED, PERSON, {"location": (subject.index,)})
@@ -243,7 +240,7 @@ class _OfBe(StatePhrases):
         form = subject.said
         if form in self._no_themes:
             return None
-        if place.lemma.lower() in _HANDS:
+        if self._is_hand(place):
             return self._in_hand(subject, place)
         if not self._is_asked and place.said in HERE - {"there"}:
             return StateClause(PRESENT, WHETHER, {"theme": self._phrase(subject)})
@@ -271,11 +268,9 @@ class _OfBe(StatePhrases):
             if not any(child.said in _STATES or child.upos == "ADJ" for child in self._children):
                 asked = self._asked_of(subject)
                 return StateClause(EXISTING, asked or WHETHER, self._theme(subject))
-        if top.lemma.lower() in _KEPT or top.said == "left":
+        if top.xpos == "VBN":  # "Is the radio left *on*?"
             found = [child for child in self._children if child.deprel in ("compound:prt", "advmod", "xcomp", "obl")]
             state = next((child for child in found if child.said in _STATES or child.upos == "ADJ"), top)
-            if state is top:
-                return None
         elements = self._with_alternative({}, "state", state)
         if len(elements["state"]) != 1:
             return None
@@ -307,12 +302,12 @@ class _OfVerb(StatePhrases):
     def _of_verb(self) -> Optional[StateClause]:
         assert self._subject is not None
         subject = self._subject
-        if self._features.asked and self._sentence.word(self._features.asked).said in _WHERE:
+        if self._features.asked and self._sentence.word(self._features.asked).said == _WHERE:
             return self._whereabouts(subject)
         has = any(child.lemma.lower() == "have" for child in self._children if child.deprel == "aux")
         if self._lemma == "have" or (self._lemma == "get" and has):
             return self._of_having(subject)
-        if self._lemma in _HELD:
+        if self._lemma in _HOLDING:
             return self._of_holding(subject)
         if self._lemma in (_OWN, _BELONG):
             return self._of_belonging(subject)
@@ -333,10 +328,8 @@ class _OfVerb(StatePhrases):
         thing = self._object()
         if thing is None:
             return None
-        hand = next((child for child in self._children if child.lemma.lower() in _HANDS), None)
-        hand = hand or next(
-            (child for child in self._sentence.children(thing.index) if child.lemma.lower() in _HANDS), None
-        )
+        hand = next((child for child in self._children if self._is_hand(child)), None)
+        hand = hand or next((child for child in self._sentence.children(thing.index) if self._is_hand(child)), None)
         if hand is not None:
             self._asking = self._sentence.subtree(hand.index)
             return self._of_holding(subject)

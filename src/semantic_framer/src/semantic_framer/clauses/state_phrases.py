@@ -19,14 +19,16 @@ _HEARERS = word_class("hearers")
 #: Words that mean the robot or the speaker, that ask for things and persons, and that stand for a place.
 US = word_class("hearers") | word_class("speaker_subjects")
 THINGS_ASKED = word_class("things_asked")
-WHO = word_class("persons_asked")
-WHICH = word_class("words_that_ask_which") - WHO
-_PLACES = word_class("place_prepositions") | word_class("prepositions_inside_places")
-HERE = word_class("places_without_names")
+WHO = word_class("question_words") & word_class("pronouns_of_persons")
+WHICH = word_class("question_words") - word_class("relative_adverbs") - WHO - {"how", "whose"}
+_PLACES = word_class("place_prepositions") | word_class("to_prepositions")
+HERE = word_class("place_adverbs") | word_class("forward_and_backward") | {"around"}
 _LEFT = word_class("padding_of_states")
-_POINTING = word_class("demonstrative_determiners")
-_NO_THEMES_ASKED = word_class("demonstrative_pronouns") | US
+_POINTING = word_class("pronouns_of_things") - {"it"}
+_NO_THEMES_ASKED = _POINTING | US
 THAN = "than"
+#: The type of what a robot holds things with.
+_HAND = "Body_part"
 #: Relations of words that only make a clause.
 FUNCTION = frozenset(["aux", "cop", "punct", "mark", "expl", "cc", "discourse", "vocative"])
 Positions = Tuple[int, ...]
@@ -199,6 +201,9 @@ class StatePhrases:
         """Return that somebody holds a thing; a condition calls them an owner and a possession."""
         who, what = ("agent", "theme") if self._is_asked else ("owner", "possession")
         return StateClause(HOLDING, WHETHER, {who: self._phrase(subject), what: self._phrase(thing)})
+
+    def _is_hand(self, word: Word) -> bool:
+        return self._sentence.types.likeliest(word.index) == _HAND
 
     def _in_hand(self, subject: Word, hand: Word) -> Optional[StateClause]:
         """Read "what is in your hand", "is the mug in your hand"."""

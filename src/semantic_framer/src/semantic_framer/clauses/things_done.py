@@ -22,7 +22,7 @@ from word_classes import word_class
 
 #: FrameNet's frame of seeing something.
 _SEEING = "Perception_experience"
-_RELATIVE_WORDS = word_class("relative_words")
+_RELATIVE_WORDS = word_class("relative_pronouns") | word_class("relative_adverbs")
 
 
 def told_by_deeds(

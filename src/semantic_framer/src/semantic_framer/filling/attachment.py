@@ -21,19 +21,20 @@ from word_classes import word_class
 _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
-_INDEFINITES = word_class("indefinites")
+_INDEFINITES = word_class("words_for_all") | word_class("indefinite_persons") | word_class("things_asked")
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
-_ORDINALS = word_class("ordinals_in_order") | word_class("last_ordinals")
-_SIDES_OF_A_ROW = word_class("sides_of_a_row")
+_ORDINALS = word_class("ordinals") | word_class("last_ordinals")
+_SIDES_OF_A_ROW = word_class("sides")
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_ONWARD = word_class("forward_and_backward") | {"on"}
+#: "Home" says where things go, but not where they are.
+_PLACE_ADVERBS = word_class("place_adverbs") - {"home"}
 _MARKINGS = word_class("markings")
-_ONWARD = word_class("onward_adverbs")
-_PLACE_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING_PREPOSITIONS = word_class("placing_prepositions")
 _PRONOUNS = word_class("pronouns")
 _SPEAKERS = word_class("speaker_objects")
-_STRAIGHT = word_class("straight_adverbs")
+_STRAIGHT = word_class("adverbs_before_prepositions")
 
 
 def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:

@@ -26,7 +26,7 @@ GOING_ON = frozenset(
 _UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
 _EXACT = word_class("exact_adverbs")
 _LEFT_AND_RIGHT = word_class("left_and_right")
-_KEEPING = word_class("keeping_verbs")
+_KEEPING = word_class("continuing_verbs")
 #: FrameNet's name of going somewhere, and its semantic type of places.
 _GOING, _PLACE = "Self_motion", "Location"
 #: Extra-thematic elements; a server that heeds one of them gets it as an argument.

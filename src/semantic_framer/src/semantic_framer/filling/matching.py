@@ -32,7 +32,7 @@ from utterance_passes.phrases.measures import amounts_of
 from utterance_passes.phrases.verb_matching import VerbMatch
 from word_classes import word_class
 
-_DESTINATION_ADVERBS = word_class("destination_adverbs")
+_DESTINATION_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 
 

@@ -17,10 +17,10 @@ from utterance_passes.trees.tree import NOUNS, VERBS, DependencyTree, Word
 from word_classes import word_class
 
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
-_BEFORE_DETERMINERS = word_class("before_determiners")
+_BEFORE_DETERMINERS = word_class("determiners_of_all")
 _DEGREES = word_class("degrees")
-_EXACTLY = word_class("exact_times")
-_VAGUE_PERIODS = word_class("vague_periods")
+_EXACTLY = word_class("exact_adverbs")
+_VAGUE_PERIODS = word_class("short_periods")
 _FORWARD_AND_BACKWARD = word_class("forward_and_backward")
 _HEARERS = word_class("hearers")
 _ITSELF = frozenset(["yourself"])

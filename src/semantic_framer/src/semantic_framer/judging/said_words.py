@@ -20,7 +20,7 @@ from utterance_passes.asides.objections import plain
 from utterance_passes.deeds.avoided_places import PREPOSITION
 from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, pattern_of
 from utterance_passes.trees.tree import ABANDONED, ASIDE, NOMINALS, DependencyTree, Word
-from word_classes import word_class
+from word_classes import word_class, word_list
 
 #: Name of the check in the trace.
 RULE = "said_words"
@@ -37,10 +37,11 @@ _DOING = word_class("forms_of_do")
 _AUXILIARIES = (
     word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
 )
-_CROSSING = word_class("prepositions_of_crossing")
+_CERTAIN = word_class("certain_adjectives")
+_CROSSING = word_class("along_prepositions") - {"around"} | {"into", "over"}
 _DIRECTIONS = word_class("all_directions")
 _EACH = "each"
-_ENDS = word_class("first_of_all") | word_class("last_of_all")
+_ENDS = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 _BOTH = "both"
 _THEY = "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
@@ -58,8 +59,9 @@ _FINDING = word_class("finding_verbs")
 _TOLD = word_class("modals") | word_class("object_pronouns") | word_class("female_pronouns")
 _UNFINISHED = word_class("only_before_nouns")
 _WISHES = (
-    word_class("verbs_around_requests")
-    | word_class("assuring_verbs")
+    word_class("request_verbs")
+    | word_class("leading_verbs")
+    | {"would", "be"}
     | word_class("causative_verbs")
     | word_class("verbs_of_duty")
 )
@@ -269,6 +271,8 @@ class _Check:
         if form == "by" and before in _ASPECTUAL:
             return True
         behind = next((one for one in self._tree.words[word.index :] if one.said not in ("to", "by")), None)
+        if behind is not None and behind.said in _CERTAIN:
+            return True  # "*Make* sure".
         if word.lemma.lower() in _ASPECTUAL and behind is not None and behind.index in self._named:
             return True
         return word.lemma.lower() in _WISHES

@@ -12,7 +12,7 @@ from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause
 from word_classes import word_class
 
-_AROUND_REQUESTS = word_class("verbs_around_requests")
+_AROUND_REQUESTS = word_class("request_verbs") | word_class("leading_verbs") | {"would", "be"}
 _PARTICIPANTS = word_class("participants")
 #: Replies quote the whole sentence without these final marks.
 _MARKS = " .!?"

@@ -31,7 +31,7 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
-_RENEWING = word_class("renewing_conjunctions")
+_RENEWING = word_class("clause_borders") - word_class("words_between_commands") - {"or"}
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,11 @@
 """Reads the file of moods: rules that find the kind of a clause from the words before its verb."""
 
+import re
 from dataclasses import dataclass
 from enum import Enum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Dict, Mapping, Optional, Pattern, Tuple
+from typing import Dict, FrozenSet, Mapping, Optional, Pattern, Tuple
 
 import yaml
 
@@ -14,6 +15,7 @@ from word_classes import fill_pattern, read_pattern
 
 #: Next to this module in the source, devel and install space.
 MOODS_FILE = Path(__file__).resolve().parent / "moods.yaml"
+_WORD = re.compile(r"[a-z]+")
 _SECTIONS = ("spellings", "parts", "acting", "telling")
 _KEYS = ("name", "kind", "pattern", "example")
 
@@ -71,6 +73,11 @@ class Moods:
     spellings: Mapping[str, str]
     acting: Tuple[MoodRule, ...]
     telling: Tuple[MoodRule, ...]
+
+    @cached_property
+    def words(self) -> FrozenSet[str]:
+        """The words of the patterns; a small word that stands in none of them says nothing of a mood."""
+        return frozenset(_WORD.findall(" ".join(rule.pattern.pattern for rule in (*self.acting, *self.telling))))
 
 
 def load_moods(text: str, path: str) -> Moods:

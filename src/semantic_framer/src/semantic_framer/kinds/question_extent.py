@@ -8,10 +8,9 @@ from semantic_framer.values.sentence import Sentence
 from utterance_passes.trees.tree import Word
 from word_classes import word_class
 
-_PADDING = word_class("question_padding")
+_PADDING = word_class("lead_in") - word_class("ordinals") | word_class("exact_adverbs") | word_class("robot_names")
 _COURTESIES = phrases_of("question_courtesies")
-_ENDINGS = phrases_of("question_endings", "question_courtesies", place=-1)
-_EXPLETIVES = phrases_of("question_expletives")
+_ENDINGS = phrases_of("question_courtesies", place=-1)
 _ASKING = word_class("question_words")
 _DETERMINERS = word_class("determiners")
 _CONJUNCTIONS = word_class("clause_borders")
@@ -32,8 +31,6 @@ def words_of_question(sentence: Sentence) -> List[Word]:
         if not in_front and not behind:
             break
         words = words[in_front : len(words) - behind]
-    if words and words[0].said in _ASKING:
-        del words[1 : 1 + length_in_front(_EXPLETIVES, [word.said for word in words[1:]])]
     return words
 
 

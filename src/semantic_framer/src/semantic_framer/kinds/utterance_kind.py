@@ -12,6 +12,7 @@ from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 from semantic_framer.kinds.mood_file import MoodRule, UtteranceKind, shipped_moods
 from utterance_passes.phrases.clauses import Clause
 from utterance_passes.trees.formula_file import is_filler
+from utterance_passes.trees.persons import is_abstract
 from utterance_passes.trees.tree import ASIDE, NOUNS, VERBS, DependencyTree, Word
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
@@ -19,34 +20,30 @@ from word_classes import word_class
 _AUXILIARIES = word_class("modals") | word_class("forms_of_have") | word_class("forms_of_do")
 _BE = word_class("forms_of_be")
 _CHATTER = word_class("chatter")
-_CONDITIONS = word_class("subordinators")
-_EVALUATIONS = word_class("evaluations")
-_GREETINGS = word_class("greetings_alone")
+_CONDITIONS = word_class("conditions") | word_class("reason_conjunctions")
+_GREETINGS = word_class("greetings")
 _HABITUAL = word_class("habitual_adverbs")
 _HEARERS = word_class("hearers") | {"robot"}
-_JOINING = word_class("clause_joiners")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _MODALS = word_class("modals")
-_MOODS = word_class("moods")
-_MOOD_ADVERBS = word_class("mood_adverbs")
-_NEGATING = word_class("negating_words")
+_NEGATING = word_class("negations") - word_class("subject_pronouns")
 _NONFINITE_BE = word_class("nonfinite_forms_of_be")
 _OBJECTS = word_class("speaker_objects")
-_OPINION_SUBJECTS = word_class("opinion_subjects")
+_OPINION_SUBJECTS = word_class("pronouns_of_things")
 _OPINION_VERBS = word_class("opinion_verbs")
 _PADDING = word_class("padding")
-_PERSONS = word_class("personal_subjects")
-_PLACE_ADVERBS = word_class("destination_adverbs")
+_PERSONS = word_class("pronouns_of_persons") - word_class("plural_pronouns")
+_PLACE_ADVERBS = word_class("place_adverbs")
 _QUESTION_WORDS = word_class("question_words")
-_RENEWING = word_class("renewing_conjunctions")
+_RENEWING = word_class("clause_borders") - word_class("words_between_commands") - {"or"}
 _SAID_AROUND = word_class("lead_in") | word_class("hedges")
-_SPEAKER_POSSESSORS = word_class("speaker_possessors")
+_SPEAKER_POSSESSORS = word_class("words_of_the_speaker")
 _SPEAKERS = word_class("speaker_subjects")
 _SUBJECTS = word_class("subject_pronouns")
 _SUBORDINATING = word_class("relative_adverbs")
 _THANKS = word_class("thanks")
 _WANTING = word_class("wanting_verbs")
-_WATCHING = word_class("watching_verbs")
+_WATCHING = word_class("verbs_with_verbs")
 #: Places before "be": "here is the kitchen", "there are two chairs".
 _SHOWN = frozenset(["here", "there"])
 #: After a clause with one of these verb forms, a base form starts a new clause: "I'm tired *and bring me water*".
@@ -267,8 +264,8 @@ class _Front:
         is_place = predicate.said in _PLACE_ADVERBS or "case" in relations
         # Who somebody is says something; how they are is talk.
         is_person = subject in _PERSONS and not (subject in _SPEAKERS and predicate.upos == "PROPN")
-        is_opinion = subject in _OPINION_SUBJECTS and predicate.said in _EVALUATIONS
-        if is_opinion or (is_person and (not is_place or predicate.lemma.lower() in _MOODS)):
+        is_opinion = subject in _OPINION_SUBJECTS and predicate.said in _CHATTER
+        if is_opinion or (is_person and (not is_place or is_abstract(self._tree, predicate.index, is_mostly=True))):
             return KindVerdict(UtteranceKind.TALK, "state", text)
         is_noun = predicate.upos in NOUNS and "csubj" not in relations
         has_clause = bool(relations & {"xcomp", "ccomp", "csubj", "advcl"})
@@ -408,7 +405,7 @@ def _formula_word(word: Word) -> str:
         return ""
     if said == "'s":
         return "is" if word.upos in VERBS else "" if word.upos == "PART" else "us"
-    if said in _QUESTION_WORDS | _OBJECTS | _SHOWN or said in _MOOD_ADVERBS - {"about"}:
+    if said in _QUESTION_WORDS | _OBJECTS | _SHOWN or (word.upos == "ADV" and said in shipped_moods().words):
         return said
     if said in _SUBJECTS:
         return "NP" if word.deprel in ("det", "obj") else said
@@ -416,11 +413,9 @@ def _formula_word(word: Word) -> str:
     if is_verb and said in _AUXILIARIES | _BE | _NONFINITE_BE:
         return said
     if word.upos == "ADV":
-        return said if said in _MOOD_ADVERBS else ""
-    if said in _JOINING:
-        return said
-    if word.upos in ("ADP", "SCONJ"):
-        return "PREP"
+        return ""
+    if word.upos in ("ADP", "SCONJ", "PART"):
+        return said if said in shipped_moods().words else "PREP"
     if word.upos == "VERB":
         lemma = word.lemma.lower()
         return lemma + (_SUFFIX_OF_TAG.get(word.xpos, "") if form != lemma else "")

@@ -23,13 +23,13 @@ from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.measures import find_amounts
 from utterance_passes.trees.tree import NOUNS, VERBS
-from word_classes import word_class
+from word_classes import word_class, word_list
 
 _BORDERS = word_class("clause_borders")
-_ENDS = word_class("first_of_all") | word_class("last_of_all")
-_GOING = word_class("verbs_of_going") | word_class("keeping_verbs")
+_ENDS = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
+_GOING = word_class("verbs_of_going") | word_class("continuing_verbs")
 _TIMES = word_class("iteration_adverbs")
-_MANY = word_class("persons_among_many")
+_MANY = (word_class("indefinite_persons") | word_class("indefinite_persons_asked")) & word_class("words_for_all")
 
 
 def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:

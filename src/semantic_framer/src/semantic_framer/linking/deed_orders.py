@@ -10,7 +10,7 @@ from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.iterations import times_said
 from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
-from word_classes import word_class
+from word_classes import word_class, word_list
 
 _HEARERS = word_class("hearers")
 _HAVE = word_class("forms_of_have") | {"having", "'ve"}
@@ -18,7 +18,7 @@ _NEGATIONS = word_class("negations")
 _ALL = word_class("determiners_of_all")
 _EXACT = word_class("exact_adverbs")
 _ONLY = word_class("restricting_adverbs")
-_FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
+_FIRST, _LAST = frozenset(word_list("ordinals")[:1]), word_class("last_ordinals")
 _MARKS = frozenset([",", ".", "!", "?", ";"])
 _LISTING = frozenset([",", "and"])
 _JOINING = word_class("clause_borders") | {","}
@@ -28,7 +28,7 @@ _ENTERING = word_class("verbs_of_going") | word_class("verbs_of_arriving")
 _AVOIDING, _STAYING = word_class("verbs_of_avoiding"), word_class("verbs_of_staying")
 _UNTIL = word_class("conjunctions_of_ends")
 #: Where the other deed leads.
-_THERE = word_class("words_for_a_place_said")
+_THERE = word_class("here_and_there") | {"it"}
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: "Visit *the office after* the hall", "go *to* the office after ...", "visit the yard *and* the office after ...".
 _BEFORE_LIST = frozenset(["VERB", "ADP", "CCONJ"])

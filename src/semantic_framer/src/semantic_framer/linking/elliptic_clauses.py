@@ -19,7 +19,7 @@ _PERSONS = frozenset(["he", "she"])
 _DEEDS = word_class("pronouns_of_things")
 _FOUND = word_class("object_pronouns") | {"one", "any"}
 _DONE = frozenset(["done", "finished"])
-_SOME = word_class("determiners_of_any") | {"one"}
+_SOME = word_class("indefinite_articles") | {"one"}
 _WHEN = frozenset(["when", "once"])
 
 

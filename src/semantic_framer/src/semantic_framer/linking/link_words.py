@@ -16,7 +16,7 @@ from word_classes import word_class
 #: A plan waits for a day at most, seconds.
 LONGEST_WAIT_S = 86_400.0
 _DELAYS = word_class("delay_prepositions")
-_PERIODS = word_class("period_determiners")
+_PERIODS = word_class("determiners_of_all")
 _BORDERS = word_class("clause_borders")
 _BEFORE_MESSAGES = word_class("whether_words") | frozenset(["that"])
 _LIMITS = word_class("limits_before_times")

@@ -24,7 +24,7 @@ JOINING = word_class("linking_conjunctions") | {";"}
 #: FrameNet's name of what only waits.
 WAITING = "Waiting"
 _ALL = word_class("determiners_of_all")
-_HERE = word_class("place_adverbs_of_waiting")
+_HERE = word_class("here_and_there")
 
 
 class NoStructure(ValueError):
@@ -105,7 +105,7 @@ class LinkedClauses:
         said = [argument for argument in reading.arguments if argument.positions]
         if frame.framenet != WAITING or reading.left_over or reading.extra or reading.missing:
             return False
-        return all(argument.text.lower() in _HERE for argument in said)
+        return all(argument.lemma.lower() in _HERE for argument in said)
 
     def going_on(self, part: PlanPart) -> PlanPart:
         """Return a deed that goes on until something ends it: as far as its frame allows, and again and again."""

@@ -25,7 +25,7 @@ from word_classes import word_class
 #: FrameNet's semantic types of persons.
 _PERSONAL = frozenset(["Human", "Sentient"])
 _ANYBODY = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
-_THEM = word_class("pronouns_of_anybody")
+_THEM = word_class("plural_pronouns")
 
 
 def with_persons(

@@ -22,7 +22,7 @@ _TOLD = (LinkKind.IF, LinkKind.UNLESS, *_OF_NEWS)
 _FORMS_OF_BE = word_class("forms_of_be")
 _SOME = word_class("articles") | frozenset(["any", "some"])
 _NEGATIONS = word_class("negations")
-_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("words_of_speakers")
+_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("speaker_subjects") | word_class("speaker_objects")
 _OF_TWO = _OF_SPEAKER | word_class("words_of_the_hearer")
 _SPEAKER_OBJECTS = word_class("speaker_objects")
 

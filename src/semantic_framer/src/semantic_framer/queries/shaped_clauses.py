@@ -17,10 +17,10 @@ from word_classes import word_class
 
 _HEARERS, _SPEAKERS = word_class("hearers"), word_class("speaker_subjects")
 _OBJECTS_OF_TALK = word_class("speaker_objects") | _HEARERS
-_SPOKEN_OF = word_class("demonstrative_pronouns") | {"it"}
+_SPOKEN_OF = word_class("pronouns") - word_class("plural_pronouns")
 _DETERMINERS = word_class("determiners_and_possessives") | {"any", "all", "no"}
-_PADDING = word_class("question_padding") | word_class("condition_padding") | word_class("habitual_adverbs")
-_PADDING |= word_class("padding")
+_PADDING = word_class("lead_in") | word_class("condition_padding") | word_class("habitual_adverbs")
+_PADDING |= word_class("padding") | word_class("exact_adverbs")
 _GENERAL = word_class("general_thing_nouns")
 _KINDS = frozenset(["kind", "sort"])
 _NO_PHRASES = FUNCTION | {"case"}

@@ -6,22 +6,22 @@ from typing import Optional
 from phrase_meanings.arguments import of_same_kind
 from phrase_meanings.head_words import ONES
 from referring_expressions.describing import plural_of
+from semantic_framer.values.dialogue import DEMONSTRATIVES
 from spoken_quantities.numbers import find_whole_number
 from typed_arguments import TypedArgument
 from word_classes import word_class
 
-_DEMONSTRATIVES = word_class("demonstrative_pronouns")
 _ORDINALS = word_class("ordinals") | word_class("last_ordinals")
 #: Behind a number of further things.
 _MORE = " more"
 #: Without a noun, they name an amount of what was spoken of.
-_SOME = word_class("amounts_alone")
+_SOME = word_class("quantifiers_of_some")
 
 
 def is_one_more(value: TypedArgument) -> bool:
     """Whether a phrase names another thing of a kind: "one", "the red one"; "this one" is shown, not named."""
     is_one = value.head.lower() in ONES and bool(value.positions) and value.measure is None
-    return is_one and value.quantifier not in _DEMONSTRATIVES
+    return is_one and value.quantifier not in DEMONSTRATIVES
 
 
 def is_one_in_order(value: TypedArgument) -> bool:
@@ -66,4 +66,5 @@ def of_the_same_kind(value: TypedArgument, kind: TypedArgument) -> TypedArgument
 
 def is_some(value: TypedArgument) -> bool:
     """Whether a phrase names an amount without its noun: "bring me *some*"."""
-    return value.text.lower() in _SOME and bool(value.positions)
+    words = frozenset(value.text.lower().split())
+    return bool(words & _SOME) and words <= _SOME | {"a", "more"} and bool(value.positions)

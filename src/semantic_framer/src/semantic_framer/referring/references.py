@@ -41,10 +41,10 @@ _HERE_AND_THERE = word_class("here_and_there")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PREPOSITIONS = _PLACE_PREPOSITIONS | word_class("from_prepositions") | frozenset(["of", "with"])
 _THEM = word_class("pronouns_of_persons_or_things")
-_ROBOTS = word_class("robots")
+_ROBOTS = word_class("robot_names")
 _OF = "of"
 #: Words before a noun that are left out when a part of it is meant: "one of the cups" for "some cups".
-_BEFORE_PARTS = word_class("determiners_of_all") | word_class("determiners_of_any") | frozenset(["of"])
+_BEFORE_PARTS = word_class("determiners_of_all") | word_class("indefinite_articles") | frozenset(["of"])
 _DETERMINERS = word_class("determiners_and_possessives")
 _DEFINITE = _DETERMINERS - word_class("indefinite_articles")
 _QUESTION_WORDS = word_class("question_words")

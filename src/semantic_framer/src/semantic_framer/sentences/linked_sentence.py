@@ -31,7 +31,7 @@ from utterance_passes.phrases.clauses import find_clauses
 from utterance_passes.phrases.clock_times import clock_time_at
 from utterance_passes.trees.tree import ASIDE, QUOTATION_MARKS, QUOTED, VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import NotATree, TreeEdit, mark_times, set_aside
-from word_classes import word_class
+from word_classes import word_class, word_list
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
 _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
@@ -51,14 +51,16 @@ _MANNERS = (
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
-_ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
+_ENDS_OF_ORDER = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 #: Behind them, a time says which order is meant: "forget the alarm at seven".
-_BACK = word_class("verbs_of_taking_back")
+#: What takes a standing order back.
+_BACK = ("forget", "cancel")
 _FINITE = frozenset(["VBZ", "VBP", "VBD"])
 _OTHERWISE = (LinkKind.OTHERWISE, LinkKind.OR_ELSE)
 _EACH, _HEARERS = frozenset(["every", "each"]), word_class("hearers")
-_MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
-_DOWNWARD = word_class("directions_of_sitting")
+_MANY = (word_class("indefinite_persons") | word_class("indefinite_persons_asked")) & word_class("words_for_all")
+_WHO = word_class("relative_pronouns")
+_DOWNWARD = word_class("verb_particles")
 _LASTING = word_class("lasting_verbs")
 #: Relations of a verb that depends on the one before it.
 _DONE = frozenset(["having"])

@@ -31,7 +31,7 @@ from word_classes import word_class
 RULE = "teaching"
 #: Code of the refusal to learn.
 NOT_LEARNED = "NOT_LEARNED"
-_SPEAKER = word_class("words_of_speakers")
+_SPEAKER = word_class("speaker_subjects") | word_class("speaker_objects")
 _WHEN = "when"
 _MEANS = "means"
 _TO = "to"

@@ -13,8 +13,8 @@ _HAVE, _BE = word_class("forms_of_have"), word_class("forms_of_be") | {"be"}
 _MOMENTARY = frozenset(["Arriving", "Departing", "Impact", "Process_end", "Process_start", "Statement"])
 #: FrameNet's names of what begins when a verb says so, and may last: "the door opens", "the bell rings".
 _CHANGING = frozenset(["Make_noise", "State_of_entity"])
-_EVENT, _BEGINNING = "Event", word_class("verbs_of_beginning")
-_LASTING = word_class("lasting_verbs") | word_class("verbs_of_remaining") | _BE
+_EVENT, _BEGINNING = "Event", word_class("aspectual_verbs") - word_class("continuing_verbs")
+_LASTING = word_class("lasting_verbs") | _BE
 
 
 @dataclass(frozen=True)

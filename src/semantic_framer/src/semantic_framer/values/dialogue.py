@@ -12,7 +12,7 @@ from word_classes import agreement, word_class
 
 PRONOUNS = word_class("pronouns")
 #: The pronouns that may also be meant literally.
-DEMONSTRATIVES = word_class("demonstrative_pronouns")
+DEMONSTRATIVES = PRONOUNS - word_class("plural_pronouns") - {"it"}
 PLACE_PRONOUNS = frozenset(["there"])
 #: "It" is one of the things that were mentioned last.
 MOST_THINGS = 5

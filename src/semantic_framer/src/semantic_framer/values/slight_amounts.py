@@ -14,21 +14,27 @@ from word_classes import word_class
 #: How much "a bit" is.
 ASSUMED: Mapping[str, str] = {"length": "20 centimetres", "angle": "15 degrees"}
 _DEGREES = word_class("degrees")
-_ADJECTIVES = word_class("degree_adjectives")
-_ADVERBS = word_class("slight_adverbs")
-_BEFORE = word_class("limiting_adverbs")
+_BEFORE = word_class("amount_modifiers")
 _ARTICLES = frozenset(["a", "one"])
 _BEHIND = word_class("more_words")
 #: Behind "a bit", other words would say of what: "a bit faster", "a little milk".
-_NEXT = word_class("all_directions") | word_class("prepositions_behind_degrees")
+_NEXT = (
+    word_class("all_directions")
+    | word_class("placing_prepositions")
+    | word_class("directional_prepositions")
+    | word_class("along_prepositions")
+    | word_class("lead_in")
+    | word_class("more_words")
+) - {"of"}
 
 
 def slight_words(tree: DependencyTree, positions: Iterable[int]) -> Tuple[int, ...]:
     """Return the words among these that say that little is meant, without saying of what; none if there are none."""
     spoken = [index for index in sorted(positions) if tree.word(index).upos != "PUNCT"]
     forms = [tree.word(index).said for index in spoken]
+    tags = [tree.word(index).upos for index in spoken]
     for place in range(len(forms)):
-        end = _end(forms, place)
+        end = _end(forms, tags, place)
         first = place - 1 if place and forms[place - 1] in _BEFORE else place
         is_one = all(after == before + 1 for before, after in zip(spoken[first:end], spoken[first + 1 : end]))
         if end and is_one and (end == len(forms) or forms[end] in _NEXT or spoken[end] != spoken[end - 1] + 1):
@@ -36,14 +42,14 @@ def slight_words(tree: DependencyTree, positions: Iterable[int]) -> Tuple[int, .
     return ()
 
 
-def _end(forms: Sequence[str], place: int) -> int:
+def _end(forms: Sequence[str], tags: Sequence[str], place: int) -> int:
     """Return where a phrase ends that begins at a place; 0 if none begins there."""
     here = place
-    if forms[here] in _ADVERBS:
+    if forms[here] in _DEGREES and tags[here] == "ADV":
         here += 1
     elif forms[here] in _ARTICLES:
         here += 1
-        while here + 1 < len(forms) and forms[here] in _ADJECTIVES and forms[here + 1] in _DEGREES:
+        while here + 1 < len(forms) and forms[here] in _DEGREES and forms[here + 1] in _DEGREES:
             here += 1
         if here == len(forms) or forms[here] not in _DEGREES:
             return 0

@@ -3,18 +3,15 @@
 from typing import Sequence
 
 from semantic_types.parts_of_speech import parts_of_speech
+from utterance_passes.trees.persons import is_abstract
 from utterance_passes.trees.tree import DependencyTree, Word
 from word_classes import word_class
 
 _ALL_DIRECTIONS = word_class("all_directions")
-_DEEDS = word_class("deed_nouns")
-_DEEDS_BROUGHT_ABOUT = word_class("deed_nouns_brought_about")
-_DEEDS_SET = word_class("deed_nouns_set")
 _DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
-_BRINGING_ABOUT = word_class("bringing_about_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
+_GENERAL = word_class("general_thing_nouns")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
-_OF_RIDING = word_class("riding_verbs")
 _OBJECT_PRONOUNS = word_class("object_pronouns")
 #: Relations of words before a noun that a unit may ask for: "Roger *'s* door".
 _OF_NOUNS = frozenset(["det", "nmod:poss", "case"])
@@ -32,13 +29,15 @@ def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
     """
     lemma = tree.word(index).lemma.lower()
     first = verb.split()[0]
-    is_deed = (
-        (lemma in _DEEDS_WITH_LIGHT_VERBS and first in _LIGHT_VERBS)
-        or (lemma in _DEEDS_BROUGHT_ABOUT and first in _BRINGING_ABOUT)
-        or (lemma in _DEEDS_SET and first == "set")
-    )
-    is_chosen = is_definite(tree, index)
-    return lemma in _DEEDS or (is_deed and not is_chosen) or (lemma in _WAYS and first in _OF_RIDING)
+    if is_abstract(tree, index):
+        return True
+    if first not in _LIGHT_VERBS:
+        return False
+    # "Grab an *apple slice*", "take that *thing*".
+    is_thing = lemma in _GENERAL or any(child.deprel == "compound" for child in tree.children(index))
+    if not is_thing and is_abstract(tree, index, is_mostly=True):
+        return True
+    return lemma in _WAYS or (lemma in _DEEDS_WITH_LIGHT_VERBS and not is_definite(tree, index))
 
 
 def is_indefinite(tree: DependencyTree, index: int) -> bool:

@@ -11,7 +11,6 @@ from home_servers.places import RELATIONS
 from home_servers.skills import HERE, Skill, Skills, argument, said
 from roboframenet_ros.spoken_text import with_capital
 from typed_arguments import FilledFrame, TypedArgument
-from word_classes import word_class
 
 #: Words for directions of pushing, pulling and sliding.
 _AWAY = ("left", "right", "forward", "back", "backward")
@@ -19,7 +18,7 @@ _AWAY = ("left", "right", "forward", "back", "backward")
 TABLES = ("table", "counter", "desk")
 #: What comes of actions on doors.
 _STATES = {"open": "open", "close": "closed"}
-_RECIPROCALS = tuple(sorted(word_class("reciprocal_pronouns")))
+_RECIPROCALS = ("other", "another")
 #: An angle when none is said.
 _HALF_TURN_RAD = math.pi / 2.0
 #: A level in front of its unit: "21.5 degrees".

@@ -11,7 +11,7 @@ from typed_arguments import FilledFrame, TypedArgument
 from word_classes import without_determiner, word_class
 
 #: Pronouns for any thing.
-ANYTHING = word_class("indefinite_things")
+ANYTHING = word_class("general_thing_nouns")
 #: What states are called; others are called by themselves.
 STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
 OPPOSITES = {

@@ -173,8 +173,12 @@ class Memory:
 
 
 _WHOLE = word_class("determiners_of_all")
-_INDEFINITE = word_class("determiners_of_any")
-_PRONOUNS = word_class("indefinite_pronouns")
+_INDEFINITE = word_class("indefinite_articles")
+_PRONOUNS = (
+    word_class("indefinite_persons") - word_class("words_for_all")
+    | word_class("indefinite_persons_asked")
+    | word_class("things_asked")
+)
 _DETERMINERS = word_class("determiners_and_possessives")
 _COLOURS = frozenset("red blue green yellow white black brown big small".split())
 

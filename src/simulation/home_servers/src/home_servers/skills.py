@@ -15,7 +15,7 @@ from word_classes import without_determiner, word_class
 #: Words for whoever speaks, and for the robot.
 SPEAKERS = frozenset("me us i we myself".split())
 #: Pronouns for whom the robot has met last.
-_MET = word_class("persons_met")
+_MET = word_class("male_pronouns") | word_class("female_pronouns") | word_class("plural_pronouns")
 #: Whoever is so near is whom the robot is with, metres, for so long after they were met, seconds.
 _COMPANY_M = 2.5
 _COMPANY_S = 300.0

@@ -10,7 +10,7 @@ from home_servers.telling import told
 from typed_arguments import FilledFrame, Source, TypedArgument
 from word_classes import word_class
 
-_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("words_of_speakers")
+_OF_SPEAKER = word_class("words_of_the_speaker") | word_class("speaker_subjects") | word_class("speaker_objects")
 
 
 def greet(skills: Skills, frame: FilledFrame) -> None:

@@ -13,7 +13,7 @@ from semantic_frames.relation_names import MEASURE
 from utterance_passes.trees.tree import VERBS
 from word_classes import word_class
 
-_DIRECTIONS = word_class("directions")
+_DIRECTIONS = word_class("all_directions")
 _HEARERS = word_class("hearers")
 _PORTALS = word_class("portals")
 #: Relations that an argument may have, the most specific first.

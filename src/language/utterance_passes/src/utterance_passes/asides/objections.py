@@ -11,7 +11,6 @@ from word_classes import word_class
 
 #: Marks behind which something new begins.
 _ENDS = frozenset(",.;!?")
-_BY_THE_WAY = word_class("verbs_of_mishaps")
 _LEAD_IN = word_class("lead_in")
 _NOT = word_class("not")
 _OPENING = pattern_of("objections")
@@ -82,7 +81,7 @@ def _is_of_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) 
     if not _forbids(tree, position) or verb is None or plain(before[-1]) != ",":
         return False
     is_same = any(word.lemma.lower() == verb.lemma.lower() for word in tree.words[position:])
-    return not is_same and (verb.lemma.lower() in _BY_THE_WAY or not is_verb(vocabulary, verb))
+    return not is_same and not is_verb(vocabulary, verb)
 
 
 def _is_not_to_be_said(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:

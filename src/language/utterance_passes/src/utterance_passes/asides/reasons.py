@@ -12,14 +12,16 @@ _REASONS = word_class("reason_conjunctions")
 _OWN_CLAUSES = ("conj", "parataxis")
 #: A reason behind one of these may be the reason for it.
 _CLAUSES_OF_VERBS = ("ccomp", "xcomp", "advcl", "acl", "acl:relcl", "parataxis", "conj")
+#: They need not stand for the thing: "because *this* is heavy".
+_POINTING = word_class("pronouns") - word_class("plural_pronouns") - {"it"}
 _PRONOUNS = (
     word_class("pronouns")
     | word_class("male_pronouns")
     | word_class("female_pronouns")
     | word_class("pronouns_of_persons_or_things")
-) - word_class("demonstrative_pronouns")
+) - _POINTING
 _MODALS = word_class("modals")
-_PERSONS = word_class("personal_subjects")
+_PERSONS = word_class("pronouns_of_persons")
 _SUBJECTS = ("nsubj", "nsubj:pass", "expl")
 
 

@@ -12,7 +12,7 @@ from word_classes import word_class
 PREPOSITION = "avoiding"
 _ARRIVING = word_class("verbs_of_arriving")
 _AVOIDING = word_class("verbs_of_avoiding")
-_CROSSING = word_class("prepositions_of_crossing")
+_CROSSING = word_class("along_prepositions") - {"around"} | {"into", "over"}
 _GOING = word_class("verbs_of_going")
 _ENTERING = _GOING | _ARRIVING | {"use"}
 _NOT = word_class("not")

@@ -11,7 +11,7 @@ from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
 _WAITING = word_class("verbs_of_waiting")
-_PLACES = word_class("place_adverbs_of_waiting") | {"here", "there"}
+_PLACES = word_class("here_and_there") | {"right"}
 _NO_PHRASE = frozenset(["VERB", "AUX", "PUNCT", "SCONJ"])
 #: Words of the phrase for who or what is waited for, at most.
 _LONGEST_PHRASE = 6

@@ -2,6 +2,7 @@
 
 from utterance_passes.engine.pass_needs import only_with_lemmas
 from utterance_passes.engine.utterance_pass import Example, Kind, tree_pass
+from utterance_passes.trees.persons import is_likely
 from utterance_passes.trees.tree import DependencyTree, Word
 from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Verbs, Vocabulary
@@ -9,10 +10,9 @@ from word_classes import word_class
 
 _WISH = "want"
 _MAKE, _WASH = "make", "wash"
-_WASHED = word_class("washed_things_done")
 #: "Can I have ...", "could we get ...".
 _ASKED_FOR = frozenset(["have", "get"])
-_PERMISSION_MODALS = word_class("permission_modals")
+_PERMISSION_MODALS = word_class("polite_modals") - word_class("future_auxiliaries")
 #: "I would love ..." is a wish; without "would", the verb says what somebody likes.
 _WISHING_VERBS = word_class("wishing_verbs")
 _WOULD = frozenset(["would", "'d", "’d"])
@@ -51,11 +51,16 @@ def light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
 
 def _verb_of_done(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> str:
     """Return the verb for what is done: "make" for a u-turn, "wash" for the dishes; empty if there is none."""
-    done = frozenset(child.said for child in tree.children(word.index) if child.deprel == "obj")
+    things = [child for child in tree.children(word.index) if child.deprel == "obj"]
+    done = frozenset(child.said for child in things)
     made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with(_MAKE))
     if not done.isdisjoint(made.union(*vocabulary.lists_of(_MAKE))):
         return _MAKE
-    is_washed = not done.isdisjoint(_WASHED) and _WASH in vocabulary.verbs_beginning_with(_WASH)
+    # "Do the laundry", "do the dishes", but not "do the mug".
+    is_washed = any(
+        is_likely(thing, ["Clothing"]) or (thing.xpos == "NNS" and is_likely(thing, ["Container"])) for thing in things
+    )
+    is_washed = is_washed and _WASH in vocabulary.verbs_beginning_with(_WASH)
     return _WASH if is_washed else ""
 
 

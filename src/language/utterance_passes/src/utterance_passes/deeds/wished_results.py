@@ -13,7 +13,6 @@ from utterance_passes.trees.vocabulary import Verbs, Vocabulary
 from word_classes import word_class
 
 _CAUSATIVE = word_class("causative_verbs")
-_DUTIES = word_class("modals_of_duty")
 _HEARERS = word_class("hearers")
 _INDEFINITE = word_class("indefinite_articles")
 _NEEDS = word_class("verbs_of_duty")
@@ -133,7 +132,7 @@ def _needed(tree: DependencyTree, verb: Word, vocabulary: Vocabulary) -> Optiona
         helping = [child for child in tree.children(deed.index) if child.deprel.startswith("aux")]
         is_helped = any(child.deprel == "aux:pass" for child in helping)
         is_passive = deed.xpos in _PARTICIPLES and (is_helped or is_verb_of_duty)
-        is_due = is_verb_of_duty or any(child.said in _DUTIES for child in helping)
+        is_due = is_verb_of_duty or any(child.xpos == "MD" and child.said in _NEEDS for child in helping)
         is_wanted = is_due and (is_passive or (is_verb_of_duty and deed.xpos == "VBG"))
         base = _base(deed, vocabulary) if is_wanted else ""
         if base:

@@ -7,7 +7,7 @@ from utterance_passes.trees.tree import NOUNS, VERBS, DependencyTree, Word
 from word_classes import word_class
 
 _QUESTION_WORDS = word_class("question_words")
-_SUBJECTS = word_class("subjects_told")
+_SUBJECTS = word_class("subject_pronouns") - word_class("relative_pronouns")
 
 
 def has_verb(tree: DependencyTree, positions: Iterable[int]) -> bool:

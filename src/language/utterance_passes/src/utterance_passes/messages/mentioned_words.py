@@ -9,7 +9,13 @@ from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
 #: Who only says these around a quotation says the quotation.
-_AROUND = word_class("padding") | word_class("lead_in") | word_class("robots") | word_class("courtesies")
+_AROUND = (
+    word_class("padding")
+    | word_class("lead_in")
+    | word_class("robot_names")
+    | word_class("greetings")
+    | word_class("thanks")
+)
 _CLAUSES = frozenset(["acl", "acl:relcl", "advcl", "ccomp", "conj", "csubj", "parataxis", "xcomp"])
 _ADDRESSES = frozenset(["discourse", "vocative"])
 _SAYING = word_class("saying_verbs")

@@ -21,17 +21,17 @@ from utterance_passes.trees.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
 _AS_SOON_AS = ["as", "soon", "as"]
-_AFTER_NO = word_class("after_no")
+_AFTER_NO = word_class("more_words") | word_class("noun_standins") | {"word"}
 _COMPARISONS = pattern_of("comparisons")
 _CONDITIONS = word_class("conditions")
-_COURTESIES = word_class("courtesies")
+_COURTESIES = word_class("greetings") | word_class("thanks")
 _HARMLESS = word_class("harmless")
 _NEGATIONS = word_class("negations")
 _NO_PRONOUNS = word_class("no_pronouns")
-_PERSONS_TOLD = word_class("persons_told")
+_PERSONS_TOLD = word_class("pronouns_of_persons")
 _QUESTION_WORDS = word_class("question_words")
 _TIMES = word_class("iteration_adverbs")
-_OTHERWISE = word_class("contrasting_adverbs")
+_OTHERWISE = word_class("words_between_commands") - word_class("linking_conjunctions")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
 _PUTTING_OFF = _CONDITIONS - {"if"}

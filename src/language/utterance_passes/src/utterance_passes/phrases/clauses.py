@@ -11,20 +11,19 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _HEARERS = word_class("hearers")
-#: Words between "make sure" and the "not" of what the hearer shall not do.
-_BEFORE_NOT = word_class("between_sure_and_not")
-_ASSURING = word_class("assuring_verbs")
+#: Tags of the words between "make sure" and the "not" of what the hearer shall not do.
+_BEFORE_NOT = frozenset(["SCONJ", "AUX", "PART", "ADP"])
 _CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")
 _STEPS = frozenset(["step"])
-_WAYS = word_class("verbs_with_ways")
+_WAYS = word_class("verbs_of_arriving") - word_class("causative_verbs") | {"leave"}
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _OF_NEGATIONS = frozenset(["advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep"])
-_NO_LONGER = word_class("no_longer")
+_COMPARATIVES = ("JJR", "RBR")
 _ORDER = word_class("adverbs_of_order")
 _JOINING = _ORDER | {"and"}
-_NO_THINGS = word_class("no_things")
+_NO_THINGS = word_class("no_pronouns") | {"no"}
 _REQUEST_VERBS = word_class("request_verbs")
 #: Words that forbid behind "make sure"; "make sure *nobody* comes in" says how things shall be.
 _FORBIDDING = _NEGATIONS - _NO_THINGS
@@ -257,8 +256,10 @@ def _asks_about_others(tree: DependencyTree, clause: Word) -> bool:
 
 def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:
     """Return what somebody is to make sure to do: "open" in "make sure to open the door"; None for other sentences."""
-    sure = next((child for child in tree.children(verb.index) if child.said in _CERTAIN), None)
-    if sure is None or verb.lemma.lower() not in _ASSURING:
+    # Beside another verb, "sure" has been set aside.
+    beside = (child for child in tree.children(verb.index) if child.index == verb.index + 1)
+    sure = next((child for child in beside if child.said in _CERTAIN), None)
+    if sure is None:
         return None
     for child in tree.children(sure.index) + tree.children(verb.index):
         marks = [mark.said for mark in tree.children(child.index) if mark.deprel == "mark"]
@@ -270,12 +271,15 @@ def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:
 def _assures_not(tree: DependencyTree, verb: Word) -> bool:
     """Whether somebody is to make sure not to do something, whatever the parser takes it for: "make sure *not to*
     desist", "be sure that *you do not* move"."""
-    if verb.lemma.lower() not in _ASSURING:
+    behind = tree.words[verb.index :]
+    if not behind or behind[0].said not in _CERTAIN:
         return False
-    behind = [word.said for word in tree.words[verb.index :]]
-    if not behind or behind[0] not in _CERTAIN:
-        return False
-    return next((form for form in behind[1:] if form not in _BEFORE_NOT), "") in _FORBIDDING
+    for word in behind[1:]:
+        if word.said in _FORBIDDING:
+            return True
+        if word.upos not in _BEFORE_NOT and word.said not in _HEARERS:
+            return False
+    return False
 
 
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
@@ -326,7 +330,7 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     bounds = {place for place, form in enumerate(forms) if form == "no" and forms[place + 2 : place + 3] == ["than"]}
     words = [word for place, word in enumerate(words) if place not in bounds]
     forms = [form for place, form in enumerate(forms) if place not in bounds]
-    if any(" ".join(pair) in _NO_LONGER for pair in zip(forms, forms[1:])):
+    if any(first.said == "no" and second.xpos in _COMPARATIVES for first, second in zip(words, words[1:])):
         return True
     counted = [tree.governor(word) for word in words if word.said == "zero" and word.head > word.index]
     if any(things.xpos == "NNS" and find_unit(things.form) is None for things in counted):

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Optional, Sequence, Tuple
 
-from spoken_quantities import find_whole_number
+from spoken_quantities import find_number, find_unit, find_whole_number
 from typed_arguments import TimeExpression
 from word_classes import word_class, word_list
 
@@ -14,23 +14,17 @@ _TODAY_S = 1.0
 _LONGEST = 9
 _AT = "at"
 _ABOUT = word_class("hedges_of_times")
-_BEFORE_NOON = word_class("before_noon")
-_AFTER_NOON = word_class("after_noon")
-_O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
+_MERIDIEM = ("am", "pm")
+_O_CLOCK = "o'clock"
 _PAST, _TO = word_class("minutes_after"), word_class("minutes_before")
-_EXACT = word_class("exact_times")
-_HALF, _QUARTER, _MINUTES = word_class("half_hours"), word_class("quarter_hours"), word_class("minute_words")
+_EXACT = word_class("exact_adverbs")
+#: Parts of an hour, "half past eight".
+_PARTS = ("half", "quarter")
 _OH = word_class("zeros_before_minutes")
-_NOON, _MIDNIGHT = word_class("names_of_noon"), word_class("names_of_midnight")
-_TODAY, _TOMORROW, _TONIGHT = (
-    word_class("names_of_today"),
-    word_class("names_of_tomorrow"),
-    word_class("names_of_tonight"),
-)
-_EACH, _DAILY, _DAYS = word_class("period_determiners"), word_class("daily_adverbs"), word_class("day_words")
+_MIDNIGHT, _MORNING, *_NOON, _AFTERNOON, _EVENING, _NIGHT = word_list("parts_of_the_day")
+_TODAY, _TONIGHT, _TOMORROW = word_list("days_from_today")
+_EACH, _DAILY, _DAY = word_class("determiners_of_all"), ("daily", "everyday"), "day"
 _WEEKDAYS, _WORKDAYS = word_list("weekdays"), word_class("workday_words")
-_MORNING, _LATER = word_class("early_times_of_day"), word_class("late_times_of_day")
-_NIGHT = word_class("times_of_night")
 _WRITTEN = re.compile(r"(\d{1,2})(?:[:.h](\d{2}))?(am|pm|a\.m\.|p\.m\.)?")
 #: Hours that nobody means at night, on a day that is named.
 _OF_THE_DAY = range(7, 12)
@@ -147,7 +141,7 @@ def _hour(forms: Sequence[str], clock: _Clock) -> _Part:
     rest = forms[start:]
     if not rest:
         return None
-    if rest[0] in _NOON or rest[0] in _MIDNIGHT:
+    if rest[0] in (*_NOON, _MIDNIGHT):
         return replace(clock, hour=12 if rest[0] in _NOON else 0, is_exact=True), start + 1
     found = _relative(rest, clock) or _spoken(rest, clock)
     if found is None:
@@ -156,8 +150,8 @@ def _hour(forms: Sequence[str], clock: _Clock) -> _Part:
     end = start + length
     # A number alone may be anything: "the office seventeen", "ten to fifteen", "every day seven".
     is_certain = bool({":", "h"} & set(rest[0]) and rest[0][0].isdigit())
-    is_certain = is_certain or any(word in _HALF | _QUARTER | _MINUTES for word in rest[:length])
-    if forms[end : end + 1] and forms[end] in _O_CLOCK:
+    is_certain = is_certain or any(word in _PARTS or _is_minute(word) for word in rest[:length])
+    if forms[end : end + 1] and forms[end].replace("\u2019", "'") == _O_CLOCK:
         is_certain, end = True, end + 1
     half = _meridiem(forms[end:])
     if half:
@@ -167,8 +161,13 @@ def _hour(forms: Sequence[str], clock: _Clock) -> _Part:
 
 
 def _meridiem(forms: Sequence[str]) -> str:
-    first = forms[0] if forms else ""
-    return "am" if first in _BEFORE_NOON else "pm" if first in _AFTER_NOON else ""
+    first = forms[0].replace(".", "") if forms else ""
+    return first if first in _MERIDIEM else ""
+
+
+def _is_minute(word: str) -> bool:
+    unit = find_unit(word)
+    return unit is not None and unit.name == "minute"
 
 
 def _relative(forms: Sequence[str], clock: _Clock) -> _Part:
@@ -177,20 +176,21 @@ def _relative(forms: Sequence[str], clock: _Clock) -> _Part:
     if len(forms) < place + 3:
         return None
     word = forms[place]
-    minutes = 30 if word in _HALF else 15 if word in _QUARTER else _number(word, 59)
+    part = find_number(word) if word in _PARTS else None
+    minutes = _number(word, 59) if part is None else round(part * 60)
     place += 1
-    if forms[place] in _MINUTES:
+    if _is_minute(forms[place]):
         place += 1
     if minutes is None or len(forms) < place + 2 or forms[place] not in _PAST | _TO:
         return None
     is_before = forms[place] in _TO
-    if is_before and word in _HALF:
+    if is_before and minutes == 30:
         return None
-    named = 12 if forms[place + 1] in _NOON | _MIDNIGHT else _number(forms[place + 1], 24)
+    named = 12 if forms[place + 1] in (*_NOON, _MIDNIGHT) else _number(forms[place + 1], 24)
     if named is None:
         return None
-    is_exact = forms[place + 1] in _NOON | _MIDNIGHT or named > 12
-    hour = 0 if forms[place + 1] in _MIDNIGHT else named
+    is_exact = forms[place + 1] in (*_NOON, _MIDNIGHT) or named > 12
+    hour = 0 if forms[place + 1] == _MIDNIGHT else named
     if is_before:
         hour = (hour - 1) % 24 if is_exact else (hour - 2) % 12 + 1
         minutes = 60 - minutes
@@ -256,11 +256,11 @@ def _half(forms: Sequence[str], clock: _Clock) -> _Part:
 
 def _half_of(word: str) -> str:
     singular = word[:-1] if word.endswith("s") else word
-    if singular in _MORNING:
+    if singular == _MORNING:
         return "am"
-    if singular in _LATER:
+    if singular in (_AFTERNOON, _EVENING):
         return "pm"
-    return "night" if singular in _NIGHT else ""
+    return "night" if singular == _NIGHT else ""
 
 
 def _day(forms: Sequence[str], clock: _Clock) -> _Part:
@@ -268,11 +268,11 @@ def _day(forms: Sequence[str], clock: _Clock) -> _Part:
     if clock.day is not None or clock.weekdays or clock.is_repeated:
         return None
     first = forms[0]
-    if first in _TOMORROW:
+    if first == _TOMORROW:
         return replace(clock, day=1), 1
-    if first in _TODAY:
+    if first == _TODAY:
         return replace(clock, day=0), 1
-    if first in _TONIGHT:
+    if first == _TONIGHT:
         return replace(clock, day=0, half="pm"), 1
     if first in _DAILY:
         return replace(clock, is_repeated=True), 1
@@ -285,7 +285,7 @@ def _day(forms: Sequence[str], clock: _Clock) -> _Part:
         if found is not None:
             days, is_repeated = found
             return replace(clock, weekdays=days, is_repeated=is_repeated), length
-        if is_each and word in _DAYS:
+        if is_each and word == _DAY:
             return replace(clock, is_repeated=True), length
         if is_each and _half_of(word):
             return replace(clock, is_repeated=True, half=_half_of(word)), length

@@ -40,7 +40,7 @@ _BOUNDS_BEFORE = frozenset(
 #: Words after an amount that change it.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
 #: Words between a length and the time that it takes: "two metres a second".
-_PER = word_class("words_for_each")
+_PER = {"per"} | word_class("indefinite_articles") | word_class("determiners_of_all")
 #: Phrases after an amount that change it: "two metres or more", "two metres and a bit".
 _MORE_BEHIND = tuple(
     tuple(words.split())

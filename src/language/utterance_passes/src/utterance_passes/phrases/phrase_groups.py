@@ -10,7 +10,7 @@ from utterance_passes.trees.tree import DependencyTree, Word
 from utterance_passes.trees.vocabulary import Speech
 from word_classes import word_class
 
-_PERSONS_TOLD = word_class("persons_told")
+_PERSONS_TOLD = word_class("pronouns_of_persons")
 _DIRECTIONAL = word_class("directional_prepositions")
 _PLACE = word_class("placing_prepositions")
 _BEFORE_NOUNS = frozenset(["DET", "ADJ", "NUM"])

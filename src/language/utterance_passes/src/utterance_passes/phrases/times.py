@@ -13,9 +13,9 @@ from utterance_passes.trees.tree import NOUNS, DependencyTree
 from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
-_ASKING = word_class("words_that_ask_which")
+_ASKING = word_class("question_words")
 _BE = word_class("forms_of_be")
-_BEFORE_NOW = word_class("before_now")
+_BEFORE_NOW = word_class("limits_before_times")
 _CHOOSING = word_class("time_determiners")
 _CLOCK = word_class("clock_words")
 _CLOCK_PREPOSITIONS = word_class("clock_prepositions")
@@ -23,13 +23,14 @@ _HEDGES = word_class("hedges_of_times")
 _MEALS = word_class("meals")
 _MODIFIERS = word_class("time_modifiers")
 _MONTHS = word_class("months")
-_NOT_BEFORE_WEEKDAYS = word_class("not_before_weekdays")
+_NOT_BEFORE_WEEKDAYS = word_class("directional_prepositions") - {"for"}
 _PERIODS = word_class("periods")
 _PREPOSITIONS = word_class("time_prepositions")
 _SHORT_PERIODS = word_class("short_periods")
 _TIMES_OF_DAY = word_class("times_of_day")
 _WEEKDAYS = word_class("weekdays")
-_DAYS_ASKED = word_class("days_asked")
+#: "What *day* is tomorrow", "which *date* is tomorrow".
+_DAYS_ASKED = _PERIODS | {"date"}
 _DAYS = _PERIODS | _WEEKDAYS | _TIMES_OF_DAY
 _TIMES = _DAYS | _MEALS | _MONTHS | _CLOCK
 _BEFORE_TIMES = _MODIFIERS | _CHOOSING

@@ -7,7 +7,7 @@ from utterance_passes.trees.tree_edits import TreeEdit
 from utterance_passes.trees.vocabulary import Speech, Verbs, Vocabulary
 from word_classes import word_class
 
-_INFORMING = word_class("verbs_of_informing")
+_INFORMING = word_class("saying_verbs")
 
 
 @tree_pass(

@@ -13,7 +13,6 @@ from word_classes import word_class
 _CONDITIONS = word_class("conditions")
 _MANNERS = word_class("manner_adverbs")
 _ONES = word_class("noun_standins")
-_OWNED = word_class("pronouns_of_owned_things")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _SIDES = word_class("opposite_sides")
 _UNTIL = frozenset(["until", "till"])
@@ -120,6 +119,8 @@ def _is_manner(word: Word) -> bool:
     return form in _MANNERS or form.endswith("ly")
 
 
+#: "Hers", "theirs".
+_OWNED = frozenset(f"{word}s" for word in word_class("determiners_and_possessives"))
 _OWNED_BY_ANOTHER = TreePattern(
     Sought("owned", deprel={"conj"}, said=_OWNED),
     Sought("owner", "owned", ">", deprel={"compound"}),

@@ -9,8 +9,7 @@ from utterance_passes.trees.tree_patterns import Rehang, Sought, TreePattern, re
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
-_CHANGED_STATES = word_class("changed_states")
-_PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
+_PARTICLES_ON_THE_WAY = word_class("verb_particles")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _TO_PREPOSITIONS = word_class("to_prepositions")
 _ADVERB, _PREPOSITION = "ahead", "of"
@@ -52,7 +51,7 @@ def places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for particle in tree.words:
         is_switch = particle.deprel == "compound:prt" and particle.said in ("on", "off")
         # "Make the lights brighter in the hall": the parser may attach the place to the state.
-        is_state = particle.deprel == "xcomp" and particle.said in _CHANGED_STATES
+        is_state = particle.deprel == "xcomp" and particle.xpos in ("JJR", "RBR")
         if not is_switch and not is_state:
             continue
         objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]

@@ -9,12 +9,12 @@ from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
 #: Where something was, nobody knows.
-_BEING_NOW = word_class("present_forms_of_be")
+_PRESENT_TENSE = ("VBZ", "VBP")
 _FINDING = word_class("finding_verbs")
 _GOING = word_class("verbs_of_going")
 _HEARERS = word_class("hearers")
-_MODALS = word_class("modals_of_promises")
-_SHOWING = word_class("showing_verbs")
+_MODALS = word_class("modals") | word_class("future_auxiliaries")
+_SHOW = "show"
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: Relations of "where" at the verb on which it depends.
 _OF_STATEMENTS = frozenset(["ccomp", "xcomp", "advcl", "obj"])
@@ -86,7 +86,7 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
 @tree_pass(
     Kind.MEANING,
     Example(
-        "show|VERB|0|root Bob|PROPN|1|iobj where|ADV|1|ccomp it|PRON|3|nsubj is|AUX|3|cop|be",
+        "show|VERB|0|root Bob|PROPN|1|iobj where|ADV|1|ccomp it|PRON|3|nsubj is|AUX|3|cop|be|VBZ",
         (
             "where: ccomp(show) ADV/where -> case(it) ADP/where",
             "it: nsubj(where) -> obl(show)",
@@ -104,9 +104,9 @@ def places_shown(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         children = tree.children(where.index)
         cases = [child for child in children if child.deprel == "case"]
         subjects = [child for child in children if child.deprel == "nsubj" and child.index > where.index]
-        copulas = [child for child in children if child.deprel == "cop" and child.said in _BEING_NOW]
+        copulas = [child for child in children if child.deprel == "cop" and child.xpos in _PRESENT_TENSE]
         is_where = where.said == "where" and (
-            (_is_clause_at(verb, where) and verb.lemma.lower() in _SHOWING | _GOING)
+            (_is_clause_at(verb, where) and verb.lemma.lower() in _GOING | {_SHOW})
             or (where.deprel == "obl" and [case.said for case in cases] == ["to"])
         )
         if not is_where or len(subjects) != 1 or len(copulas) != 1:

@@ -16,14 +16,16 @@ from utterance_passes.trees.tree_edits import TreeEdit, mark_sharing_a_verb
 from utterance_passes.trees.vocabulary import Vocabulary
 from word_classes import word_class
 
-_PAIRS = (word_class("states_of_devices"), word_class("ways_to_go"))
+_PAIRS = (word_class("verb_particles"), word_class("all_directions") - {"around"})
 _JOINING = frozenset(["and", "then"])
 _ORDER = word_class("adverbs_of_order")
+_BACK = "back"
 _RELATIONS = {"and": "cc", "then": "advmod"}
 #: Words before a phrase of what comes later; "there" is where the phrase before leads.
 _LATER: Tuple[Tuple[str, ...], ...] = (
     *(("after", word) for word in sorted(word_class("pronouns_of_things"))),
-    *(tuple(phrase.split()) for phrase in sorted(word_class("words_of_going_on"))),
+    *(("from", word) for word in sorted(word_class("here_and_there"))),
+    (_BACK,),
     *((word,) for word in sorted(_ORDER - _JOINING)),
 )
 
@@ -84,10 +86,10 @@ def _with_later_phrases(tree: DependencyTree) -> DependencyTree:
                 edit.rehang(opening[0].index, word.index, ASIDE)  # "From the hall *back* to the office."
             continue
         verb = tree.verb_above(word) if opening else word
-        if any(one.said == "back" for one in opening) and _has_source(tree, verb):
+        if any(one.said == _BACK for one in opening) and _has_source(tree, verb):
             continue  # "Go *from* the hall to the office, and then *back to* the hall" is one way.
         # "Go to the hall *and back to* the office twice" is one way.
-        joining = {"then"} if any(one.said == "back" for one in opening) else _JOINING
+        joining = {"then"} if any(one.said == _BACK for one in opening) else _JOINING
         is_joined = any(one.said in joining for one in opening)
         is_set_off = is_joined or (opening and tree.word(max(1, opening[0].index - 1)).form == ",")
         if verb.upos != "VERB" or not is_set_off or not _has_phrase(tree, verb, opening[0].index):
@@ -142,7 +144,7 @@ def particle_pairs(tree: DependencyTree, clause: Clause) -> List[Tuple[Word, Wor
         if not behind or behind[0] is said[place + 1]:
             continue
         second = behind[0]
-        is_pair = any({first.said, second.said} <= words for words in _PAIRS)
+        is_pair = first.said != second.said and any({first.said, second.said} <= words for words in _PAIRS)
         # "Turn on the light and off the radio" has two objects.
         is_shared = first.index == clause.verb + 1 or behind[1:2] == [] or behind[1].upos in ("PUNCT", "ADV")
         if is_pair and is_shared and first.head == clause.verb:

@@ -18,7 +18,7 @@ from utterance_passes.trees.tree_edits import NotATree, TreeEdit, set_aside
 from utterance_passes.trees.vocabulary import Verbs, Vocabulary, is_verb
 from word_classes import word_class
 
-_AROUND = word_class("around_corrections")
+_AROUND = word_class("around_objections")
 _CONDITIONS = word_class("conditions")
 _NEGATIONS = word_class("negations")
 #: Terms that take something back even if nothing follows.

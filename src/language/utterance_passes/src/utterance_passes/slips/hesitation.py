@@ -7,7 +7,7 @@ from spoken_quantities import number_words
 from utterance_passes.engine.utterance_pass import Example, Kind, text_pass
 from utterance_passes.trees.formula_file import any_of, shipped_formulas
 from utterance_passes.trees.spelling import Spelling, replaced
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 #: Words that can begin a number.
 _NUMBER = f"(?:{'|'.join(number_words())})"
@@ -18,9 +18,22 @@ _PHRASE = any_of(shipped_formulas()["phrases_of_hesitation"]).pattern
 _SET_OFF = f"{_PHRASE}|{any_of(shipped_formulas()['fillers']).pattern}|like"
 _NUMERAL = re.compile(rf"\d+|{_NUMBER}", re.IGNORECASE)
 _BETWEEN_COMMAS = re.compile(rf",\s*(?:{_SET_OFF})\s*,", re.IGNORECASE)
-_OBJECT = "|".join(word_list("objects_of_knowing"))
+_OF_CLAUSES = word_class("question_words") | word_class("relative_pronouns") | word_class("conditions")
+#: "You know" is no hesitation before what is known, and behind what asks for it: "do *you know* where the mug is".
+_OBJECT = "|".join(
+    sorted(
+        _OF_CLAUSES
+        | word_class("whether_words")
+        | word_class("pronouns_of_persons")
+        | word_class("determiners_and_possessives")
+        | word_class("things_asked")
+        | word_class("object_pronouns")
+        | {"about", "of"}
+    )
+)
 _HESITATION = re.compile(rf"(?<![\w'-])(?:{_PHRASE})(?![\w'-])(?!\s*(?:{_OBJECT})\b)", re.IGNORECASE)
-_BEFORE_KNOWING = re.compile(rf"(?:{'|'.join(word_list('before_knowing'))})\s*$", re.IGNORECASE)
+_BEFORE = _OF_CLAUSES | word_class("forms_of_do") | word_class("reason_conjunctions") | {"the", "than"}
+_BEFORE_KNOWING = re.compile(rf"(?:{'|'.join(sorted(_BEFORE))})\s*$", re.IGNORECASE)
 _SAYING = word_class("saying_verbs")
 _UNFINISHED = word_class("only_before_nouns") | word_class("to_prepositions") | word_class("placing_prepositions")
 #: A filler behind a word that another one must follow: "go to *uh* the kitchen". A parser takes it for a verb.

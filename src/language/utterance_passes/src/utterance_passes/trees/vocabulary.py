@@ -5,6 +5,15 @@ from enum import Enum
 from typing import FrozenSet, Mapping, NamedTuple, Optional, Protocol, Sequence, Tuple
 
 from utterance_passes.trees.tree import Word
+from word_classes import word_class
+
+#: Words that can begin an object.
+OBJECT_BEGINNINGS = (
+    word_class("determiners_and_possessives")
+    | word_class("determiners_of_all")
+    | word_class("pronouns_of_things")
+    | word_class("object_pronouns")
+)
 
 
 class Speech(Enum):

@@ -10,7 +10,7 @@ from semantic_types import shipped_types
 from spoken_quantities import find_number
 from utterance_passes.engine.utterance_pass import Example, Kind, cut_pass
 from utterance_passes.trees.tree import QUOTATION_MARKS
-from utterance_passes.trees.vocabulary import Verbs, Vocabulary
+from utterance_passes.trees.vocabulary import OBJECT_BEGINNINGS, Verbs, Vocabulary
 from word_classes import word_class
 
 #: Who turns around has turned: "turn around *head to the door*".
@@ -18,26 +18,21 @@ _AROUND = "around"
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
-_LIKE_DEEDS = word_class("nouns_like_deeds")
-_MODALS = word_class("polite_modals")
-_NEVER_LAST = word_class("never_last")
-_OBJECTS = word_class("object_beginnings")
+_MODALS = word_class("polite_modals") - {"may"}
+_NEVER_LAST = word_class("padding") | word_class("negating_adverbs") | word_class("to_prepositions")
 _OBJECT_PRONOUNS = word_class("object_pronouns")
 _PARTICLES = word_class("verb_particles")
 _SENTENCE_ENDS = frozenset([".", "!", "?"])
 _SAYING = word_class("saying_verbs")
-_SUBJECTS = word_class("clause_subjects")
+_SUBJECTS = word_class("subject_pronouns") - word_class("pronouns_of_things")
 _TO = word_class("to_prepositions")
 _WITH_A_VERB = word_class("verbs_with_verbs")
 #: Names of times, and the words around them.
 _TIMES = frozenset().union(
-    *(
-        word_class(name)
-        for name in ("periods", "weekdays", "times_of_day", "clock_words", "time_adverbs", "daily_adverbs")
-    )
+    *(word_class(name) for name in ("periods", "weekdays", "times_of_day", "clock_words", "time_adverbs"))
 )
 _OF_TIMES = frozenset().union(
-    *(word_class(name) for name in ("time_prepositions", "time_determiners", "time_modifiers", "period_determiners"))
+    *(word_class(name) for name in ("time_prepositions", "time_determiners", "time_modifiers", "determiners_of_all"))
 )
 #: Words that join a command to the one before it; the parser handles them.
 _JOINING = word_class("words_between_commands")
@@ -113,7 +108,7 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
     following = said[position + 1]
     if (
         tags[position - 1] == "NOUN"
-        and following not in _OBJECTS
+        and following not in OBJECT_BEGINNINGS
         and _is_two_word_noun(*said[position - 1 : position + 1])
     ):
         return False  # "To the night *stand* to the left".
@@ -129,7 +124,9 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
         tags[position] == "VERB"
         or (tags[position] == "NOUN" and (tags[position - 1] == "ADV" or said[position - 1] == _AROUND))
     )
-    return following in _OBJECTS or ((is_phrasal or is_way) and "".join(said[position + 2 : position + 3]) in _OBJECTS)
+    return following in OBJECT_BEGINNINGS or (
+        (is_phrasal or is_way) and "".join(said[position + 2 : position + 3]) in OBJECT_BEGINNINGS
+    )
 
 
 def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
@@ -137,7 +134,7 @@ def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
     last, before = said[-1], said[-2] if len(said) > 1 else ""
     if _is_time(said) or (last == _AROUND and tags[-2:-1] == ["VERB"]):
         return True
-    if last in _NEVER_LAST | _SUBJECTS | (_OBJECTS - _OBJECT_PRONOUNS):
+    if last in _NEVER_LAST | _SUBJECTS | (OBJECT_BEGINNINGS - _OBJECT_PRONOUNS):
         return False
     verbs = {word for word, tag in zip(said, tags) if tag == "VERB"}
     if verbs & _WITH_A_VERB or not (verbs or _FORMS_OF_BE & frozenset(said)):
@@ -159,4 +156,4 @@ def _is_time(said: Sequence[str]) -> bool:
 def _is_two_word_noun(first: str, second: str) -> bool:
     """Whether two words are one noun whose second word may also be a deed: "the night stand"."""
     together = f"{first} {second}"
-    return together in _LIKE_DEEDS or bool(shipped_types().of_noun([together]).types)
+    return bool(shipped_types().of_noun([together]).types)

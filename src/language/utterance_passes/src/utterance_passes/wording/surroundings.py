@@ -15,7 +15,7 @@ from utterance_passes.trees.formula_file import pattern_of, without_padding
 from utterance_passes.trees.spelling import Spelling
 from utterance_passes.trees.tree import ASIDE
 from utterance_passes.trees.tree_edits import WordAround
-from utterance_passes.trees.vocabulary import Verbs, Vocabulary
+from utterance_passes.trees.vocabulary import OBJECT_BEGINNINGS, Verbs, Vocabulary
 from word_classes import word_class
 
 _OPENINGS = pattern_of("openings")
@@ -25,13 +25,12 @@ _POLITE = pattern_of("anywhere")
 _APART = pattern_of("apart")
 _TAILS = pattern_of("tails")
 _SET_OFF_TAILS = pattern_of("set_off_tails")
-_DOUBTING = word_class("doubting_adverbs")
+_DOUBTING = word_class("habitual_adverbs")
 _FORMS_OF_BE = word_class("forms_of_be")
 _JOINING = frozenset(["and", "or"])
 _LEAD_IN = word_class("lead_in")
-_NO_COMMANDS = word_class("clause_verbs")
+_NO_COMMANDS = word_class("nonfinite_forms_of_be") | word_class("forms_of_have") | word_class("forms_of_do")
 _NOT = word_class("not")
-_OBJECTS = word_class("object_beginnings")
 _PADDING = word_class("padding")
 _SAYING = word_class("saying_verbs")
 #: The most words of a formula.
@@ -151,7 +150,7 @@ def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, ending: O
     form = tokens[verb].said if verb < len(tokens) else ""
     following = tokens[verb + 1].said if verb + 1 < len(tokens) else ""
     # "Name is Bob" is not a command, and "could you have opened it" is not a request.
-    is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
+    is_auxiliary = form in _NO_COMMANDS and following not in OBJECT_BEGINNINGS
     if not form or is_auxiliary or following in _FORMS_OF_BE:
         return ""
     if ending is None:
