@@ -268,7 +268,7 @@ class _Front:
         # Who somebody is says something; how they are is talk.
         is_person = subject in _PERSONS and not (subject in _SPEAKERS and predicate.upos == "PROPN")
         is_opinion = subject in _OPINION_SUBJECTS and predicate.said in _CHATTER
-        if is_opinion or (is_person and (not is_place or is_abstract(self._tree, predicate.index))):
+        if is_opinion or (is_person and (not is_place or is_abstract(self._tree, predicate.index, is_mostly=True))):
             return KindVerdict(UtteranceKind.TALK, "state", text)
         is_noun = predicate.upos in NOUNS and "csubj" not in relations
         has_clause = bool(relations & {"xcomp", "ccomp", "csubj", "advcl"})

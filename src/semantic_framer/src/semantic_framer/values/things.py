@@ -10,6 +10,7 @@ from word_classes import word_class
 _ALL_DIRECTIONS = word_class("all_directions")
 _DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
+_GENERAL = word_class("general_thing_nouns")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _OBJECT_PRONOUNS = word_class("object_pronouns")
 #: Relations of words before a noun that a unit may ask for: "Roger *'s* door".
@@ -32,6 +33,10 @@ def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
         return True
     if first not in _LIGHT_VERBS:
         return False
+    # "Grab an *apple slice*", "take that *thing*".
+    is_thing = lemma in _GENERAL or any(child.deprel == "compound" for child in tree.children(index))
+    if not is_thing and is_abstract(tree, index, is_mostly=True):
+        return True
     return lemma in _WAYS or (lemma in _DEEDS_WITH_LIGHT_VERBS and not is_definite(tree, index))
 
 

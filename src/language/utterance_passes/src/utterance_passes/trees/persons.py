@@ -7,6 +7,7 @@ from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 from word_classes import word_class
 
 _STANDINS = word_class("noun_standins")
+_THINGS = ("Physical_entity",)
 _INDEFINITE_PERSONS = word_class("indefinite_persons")
 
 
@@ -38,19 +39,24 @@ def is_likely(word: Word, types: Sequence[str]) -> bool:
     return shipped_types().of_noun([word.said, word.lemma.lower()]).fit(types) is Fit.LIKELY
 
 
-def is_abstract(tree: DependencyTree, index: int) -> bool:
-    """Whether a noun hardly ever names what can be seen and touched: "in a *hurry*", "your *opinion*". What is measured
-    or stands for another noun may be anything: "a *litre* of milk", "the red *one*"."""
+def is_abstract(tree: DependencyTree, index: int, *, is_mostly: bool = False) -> bool:
+    """Whether a noun names nothing that can be seen and touched: "in a *hurry*", "take *care* of the cat". What is
+    measured or stands for another noun may be anything: "a *litre* of milk", "the red *one*".
+
+    Args:
+        tree: the sentence
+        index: of the noun
+        is_mostly: whether a noun counts that seldom names a thing: "your *opinion*"
+    """
     word = tree.word(index)
+    if word.upos != "NOUN" or word.lemma.lower() in _STANDINS:
+        return False
     children = tree.children(index)
-    if (
-        word.upos != "NOUN"
-        or word.lemma.lower() in _STANDINS
-        or any(tree.preposition(child.index) == "of" for child in children)
-    ):
+    types = shipped_types().of_noun([word.said, word.lemma.lower()])
+    has_part = any(tree.preposition(child.index) == "of" for child in children)
+    if has_part and (is_mostly or types.likeliest() == "Quantity"):
         return False
     parts = [child.said for child in children if child.deprel in ("compound", "amod") and child.index < index]
-    fit = (
-        shipped_types().of_noun([" ".join([*parts, word.said]), word.said, word.lemma.lower()]).fit(["Physical_entity"])
-    )
-    return fit in (Fit.WRONG, Fit.POSSIBLE)
+    whole = shipped_types().of_noun([" ".join([*parts, word.said])]).fit(_THINGS) if parts else Fit.UNKNOWN
+    fit = types.fit(_THINGS)
+    return (fit is Fit.WRONG or (is_mostly and fit is Fit.POSSIBLE)) and whole is not Fit.LIKELY
