@@ -23,7 +23,7 @@ from utterance_passes.trees.tree import DependencyTree
 COUNTS = (50, 10000)
 ROUNDS = 40
 LIMIT = 1.5
-#: Of the median time to frame a sentence to that of its parse: a person waits longer for the parser than for the framer.
+#: Of the median time to frame a sentence to that of its parse: a person waits longer for the parser.
 LIMIT_TO_PARSE = 1.0
 #: Of the time with as many learned units as there can be to that without any.
 LIMIT_LEARNED, LEARNED_ROUNDS = 1.1, 8

@@ -22,8 +22,8 @@ pytestmark = pytest.mark.skipif(
     not importlib.util.find_spec("pocketsphinx") or not shutil.which("espeak-ng") or not shutil.which("flite"),
     reason="pocketsphinx, espeak-ng or flite is not installed",
 )
-#: To pocketsphinx it sounds like a stop, but not so much that nothing else was meant. What a spotter heard before counts, so
-#: each test has its own.
+#: To pocketsphinx it sounds like a stop, but not so much that nothing else was meant. What a spotter heard before
+#: counts, so each test has its own.
 DOUBTFUL = ("stock up", ("flite", "slt"))
 
 

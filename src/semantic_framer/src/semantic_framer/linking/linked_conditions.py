@@ -11,7 +11,9 @@ from semantic_framer.linking.link_words import LinkWords
 from word_classes import word_class
 
 _DO, _NEGATIONS = word_class("forms_of_do"), word_class("negations")
-_MANY = (word_class("indefinite_persons") | word_class("indefinite_persons_asked")) & word_class("words_for_all")
+_PERSONS = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
+#: Each of many persons; "whoever comes in" is "everybody who comes in".
+_MANY = _PERSONS & word_class("words_for_all") | {"whoever"}
 _WHO = word_class("relative_pronouns")
 #: Links behind which the log says what the robot has done: it is decided now.
 _OF_THE_PAST = frozenset([LinkKind.IF, LinkKind.UNLESS])
