@@ -4,7 +4,7 @@ import threading
 import time
 from typing import Callable, List, Optional
 
-from executor.ros_watch_goals import WatchGoals
+from executor.ros_watch_goals import WatchEnd, WatchGoals
 from roboframenet_testing import wait_until
 
 TURN_S = 0.02
@@ -21,12 +21,13 @@ class Goal:
         self.threads: List[str] = []
         self.is_closed = False
 
-    def step(self) -> Optional[str]:
+    def step(self) -> Optional[WatchEnd]:
         self.looks += 1
         self.threads.append(threading.current_thread().name)
         if self.reason == "raise":
             raise RuntimeError("as asked for")
-        return "was late" if time.monotonic() >= self.ends_s else self.reason
+        reason = "was late" if time.monotonic() >= self.ends_s else self.reason
+        return WatchEnd(reason) if reason is not None else None
 
     def postpone(self, by_s: float) -> None:
         self.ends_s += by_s
@@ -37,8 +38,8 @@ class Goal:
     def close(self) -> None:
         self.is_closed = True
 
-    def on_end(self, reason: str) -> None:
-        self.ended.append(reason)
+    def on_end(self, end: WatchEnd) -> None:
+        self.ended.append(end.reason)
 
 
 def test_all_goals_share_a_thread_that_ends_with_the_last() -> None:

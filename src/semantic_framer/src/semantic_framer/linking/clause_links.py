@@ -17,7 +17,7 @@ from semantic_framer.linking.deed_orders import (
 )
 from semantic_framer.linking.joints import Joint, Joints, with_limits
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
-from semantic_framer.linking.link_words import INNER, LinkWords, spoken_words
+from semantic_framer.linking.link_words import INNER, MANY_PERSONS, LinkWords, spoken_words
 from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.sentence import Sentence
@@ -29,7 +29,6 @@ _BORDERS = word_class("clause_borders")
 _ENDS = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 _GOING = word_class("verbs_of_going") | word_class("continuing_verbs")
 _TIMES = word_class("iteration_adverbs")
-_MANY = (word_class("indefinite_persons") | word_class("indefinite_persons_asked")) & word_class("words_for_all")
 
 
 def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:
@@ -46,7 +45,7 @@ def condition_places(sentence: Sentence) -> FrozenSet[int]:
         word.index
         for place, word in enumerate(words)
         if any(at(forms[place:])[1] for at in (links.link_at, links.deed_link_at))
-        or (place and forms[place - 1] in _MANY)
+        or (place and forms[place - 1] in MANY_PERSONS)
     )
 
 

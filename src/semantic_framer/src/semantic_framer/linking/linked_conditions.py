@@ -7,13 +7,10 @@ from semantic_framer.clauses.conditions import is_auxiliary, read_asked, read_co
 from semantic_framer.clauses.event_conditions import CONDITION_OF_DEED
 from semantic_framer.linking.joints import SENTENCE_ENDS, Joint
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
-from semantic_framer.linking.link_words import LinkWords
+from semantic_framer.linking.link_words import MANY_PERSONS, LinkWords
 from word_classes import word_class
 
 _DO, _NEGATIONS = word_class("forms_of_do"), word_class("negations")
-_PERSONS = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
-#: Each of many persons; "whoever comes in" is "everybody who comes in".
-_MANY = _PERSONS & word_class("words_for_all") | {"whoever"}
 _WHO = word_class("relative_pronouns")
 #: Links behind which the log says what the robot has done: it is decided now.
 _OF_THE_PAST = frozenset([LinkKind.IF, LinkKind.UNLESS])
@@ -76,7 +73,7 @@ class LinkedConditions:
 
     def of_persons(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return what each of many persons does: "greet everybody *who comes in*", "greet whoever *comes in*"."""
-        if not place or self._said.forms[place - 1] not in _MANY:
+        if not place or self._said.forms[place - 1] not in MANY_PERSONS:
             return None, 0
         person = self._said.words[place - 1].index
         start = place + (self._said.forms[place] in _WHO)

@@ -13,6 +13,7 @@ from semantic_framer.judging.verdicts import case_of
 from semantic_framer.linking.clause_links import condition_places, find_joints
 from semantic_framer.linking.joints import Joints, may_be_of_last_choice
 from semantic_framer.linking.link_file import LinkKind, shipped_links
+from semantic_framer.linking.link_words import MANY_PERSONS
 from semantic_framer.linking.linked_clauses import WAITING, NoStructure, Open, ends_what_runs, which_of_it
 from semantic_framer.linking.linked_plan import linked_plan
 from semantic_framer.linking.named_persons import asked_of_hearer, with_persons
@@ -51,13 +52,11 @@ _MANNERS = (
     LinkKind.AT_MOST,
 )
 _ENDS_OF_ORDER = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
-#: Behind them, a time says which order is meant: "forget the alarm at seven".
-#: What takes a standing order back.
+#: What takes a standing order back. Behind it, a time says which order is meant: "forget the alarm at seven".
 _BACK = ("forget", "cancel")
 _FINITE = frozenset(["VBZ", "VBP", "VBD"])
 _OTHERWISE = (LinkKind.OTHERWISE, LinkKind.OR_ELSE)
 _EACH, _HEARERS = frozenset(["every", "each"]), word_class("hearers")
-_MANY = (word_class("indefinite_persons") | word_class("indefinite_persons_asked")) & word_class("words_for_all")
 _WHO = word_class("relative_pronouns")
 _DOWNWARD = word_class("verb_particles")
 _LASTING = word_class("lasting_verbs")
@@ -288,17 +287,17 @@ def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence
                 joiner, _ = shipped_links().joiner_at(forms)
                 if joiner is not None and joiner.kind in _OTHERWISE:
                     return sentence.text([word.index for word in words])  # "Tell him, *if not, tell Anna*."
-                if before in _MANY and forms[0] in _WHO:
+                if before in MANY_PERSONS and forms[0] in _WHO:
                     return sentence.text([word.index for word in words])
                 continue
             for place in range(2, len(words)):
                 is_person = _are_many(forms[:place]) and forms[place - 1] in _WHO
-                if forms[place - 2] in _MANY and forms[place - 1] in _HEARERS and words[place].upos == "VERB":
+                if forms[place - 2] in MANY_PERSONS and forms[place - 1] in _HEARERS and words[place].upos == "VERB":
                     return sentence.text([word.index for word in words[place - 1 :]])  # "Everyone *you meet*."
                 if is_person and (_is_deed(words[place]) or set(forms[place + 1 : place + 2]) & _DOWNWARD):
                     return sentence.text([word.index for word in words[place - 1 :]])
             for place in range(1, len(words)):
-                if forms[place - 1] in _MANY and words[place - 1].xpos == "WP" and _is_deed(words[place]):
+                if forms[place - 1] in MANY_PERSONS and words[place - 1].xpos == "WP" and _is_deed(words[place]):
                     return sentence.text([word.index for word in words[place - 1 :]])  # "*Whoever comes in*."
                 joiner, _ = shipped_links().joiner_at(forms[place:])
                 if joiner is not None and joiner.kind in _OTHERWISE:
@@ -308,7 +307,7 @@ def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence
 
 def _are_many(forms: Sequence[str]) -> bool:
     """Whether words before "who" mean each of many: "everybody who", "every guest who"."""
-    return forms[-2] in _MANY or (len(forms) > 2 and forms[-3] in _EACH)
+    return forms[-2] in MANY_PERSONS or (len(forms) > 2 and forms[-3] in _EACH)
 
 
 def _is_deed(word: Word) -> bool:
@@ -401,7 +400,7 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     said = frozenset(word.said for word in sentence.tree.open_words)
     links = shipped_links()
     has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
-    if not links.has_manner(said) and not has_order and not said & (_MANY | _DONE):
+    if not links.has_manner(said) and not has_order and not said & (MANY_PERSONS | _DONE):
         return Joints()
     joints = find_joints(sentence, known)
     is_meant = any(joint.kind in _MANNERS or joint.is_of_persons for joint in joints.found)
