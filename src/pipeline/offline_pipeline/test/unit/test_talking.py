@@ -18,7 +18,7 @@ from semantic_framer.values.sentence import Sentence
 from semantic_frames.lexical_unit import LexicalUnit
 
 #: The least number of lines of each table that are right. The others ask or refuse.
-LEAST_RIGHT: Dict[str, int] = {"first_words": 49, "fragments": 76, "small_talk": 69, "clusters": 41, "spoken": 60}
+LEAST_RIGHT: Dict[str, int] = {"first_words": 50, "fragments": 76, "small_talk": 69, "clusters": 41, "spoken": 60}
 
 
 @pytest.fixture(scope="module")
