@@ -29,10 +29,10 @@ def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
     """
     lemma = tree.word(index).lemma.lower()
     first = verb.split()[0]
-    if is_abstract(tree, index):
-        return True
     if first not in _LIGHT_VERBS:
         return False
+    if is_abstract(tree, index):
+        return True
     # "Grab an *apple slice*", "take that *thing*".
     is_thing = lemma in _GENERAL or any(child.deprel == "compound" for child in tree.children(index))
     if not is_thing and is_abstract(tree, index, is_mostly=True):
