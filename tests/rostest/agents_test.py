@@ -311,7 +311,7 @@ class TestAgents(unittest.TestCase):
         while True:
             before = len(self.events)
             call = asyncio.ensure_future(mover.call_tool("waiting", {"duration": 3000}))
-            await until(lambda: call.done() or self.is_running("waiting", before), "it does not wait")  # noqa: B023
+            await until(lambda n=before, c=call: c.done() or self.is_running("waiting", n), "it does not wait")
             if not call.done():
                 return call
 

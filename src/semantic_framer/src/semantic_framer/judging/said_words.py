@@ -13,14 +13,15 @@ from typing import AbstractSet, FrozenSet, Iterable, List, Sequence, Set, Tuple
 
 from semantic_framer.judging.rewritten_words import RUN, lost_in_rewriting, said_words, unread_length
 from semantic_framer.judging.unread_words import shipped_unread_words
+from semantic_framer.values.order_words import FIRST, LAST
 from semantic_framer.values.reading import Reading
 from semantic_types.parts_of_speech import VERB, parts_of_speech
 from typed_arguments import TypedArgument
 from utterance_passes.asides.objections import plain
-from utterance_passes.deeds.avoided_places import PREPOSITION
+from utterance_passes.deeds.avoided_places import CROSSING, PREPOSITION
 from utterance_passes.trees.formula_file import KINDS, WRITTEN_OUT, pattern_of
 from utterance_passes.trees.tree import ABANDONED, ASIDE, NOMINALS, DependencyTree, Word
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 #: Name of the check in the trace.
 RULE = "said_words"
@@ -38,10 +39,8 @@ _AUXILIARIES = (
     word_class("modals") | word_class("polite_modals") | word_class("forms_of_be") | word_class("forms_of_do")
 )
 _CERTAIN = word_class("certain_adjectives")
-_CROSSING = word_class("along_prepositions") - {"around"} | {"into", "over"}
 _DIRECTIONS = word_class("all_directions")
 _EACH = "each"
-_ENDS = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 _BOTH = "both"
 _THEY = "they"
 _EXCLUDING = word_class("negations") | frozenset(["instead", "without"])
@@ -58,13 +57,9 @@ _SUBJECTS = word_class("hearers") | word_class("speaker_subjects")
 _FINDING = word_class("finding_verbs")
 _TOLD = word_class("modals") | word_class("object_pronouns") | word_class("female_pronouns")
 _UNFINISHED = word_class("only_before_nouns")
-_WISHES = (
-    word_class("request_verbs")
-    | word_class("leading_verbs")
-    | {"would", "be"}
-    | word_class("causative_verbs")
-    | word_class("verbs_of_duty")
-)
+#: Verbs around the deed that a request is about.
+AROUND_REQUESTS = word_class("request_verbs") | word_class("leading_verbs") | {"would", "be"}
+_WISHES = AROUND_REQUESTS | word_class("causative_verbs") | word_class("verbs_of_duty")
 
 
 def positions_named(readings: Iterable[Reading]) -> FrozenSet[int]:
@@ -160,7 +155,7 @@ class _Check:
             member
             for argument in self._arguments
             for member in argument.members
-            if member.lemma == _THEY or member.text.lower() in _ENDS
+            if member.lemma == _THEY or member.text.lower() in FIRST | LAST
         ]
         both = [one for one in self._arguments if one.lemma == _BOTH and one.text.lower().startswith(_BOTH)]
         pairs = both + members
@@ -312,7 +307,7 @@ class _Check:
         form = word.said
         behind = self._tree.words[word.index].lemma.lower() if word.index < len(self._tree.words) else ""
         is_excluded = any(one.said in _EXCLUDING for one in self._tree.words[: word.index])
-        if (form in _CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION):
+        if (form in CROSSING and is_excluded) or (form == "while" and behind == PREPOSITION):
             return True
         return word.deprel == ASIDE and word.index in self._around_avoided()
 

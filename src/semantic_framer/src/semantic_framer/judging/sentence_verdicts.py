@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
+from semantic_framer.judging.said_words import AROUND_REQUESTS
 from semantic_framer.judging.verdicts import Case
 from semantic_framer.kinds.mood_file import UtteranceKind
 from semantic_framer.kinds.question_extent import is_said_alone, up_to_its_end
@@ -12,7 +13,6 @@ from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.clauses import Clause
 from word_classes import word_class
 
-_AROUND_REQUESTS = word_class("request_verbs") | word_class("leading_verbs") | {"would", "be"}
 _PARTICIPANTS = word_class("participants")
 #: Replies quote the whole sentence without these final marks.
 _MARKS = " .!?"
@@ -109,7 +109,7 @@ def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, .
         for word in sentence.tree.words
         if word.index not in inside
         and sentence.is_content(word.index)
-        and word.lemma.lower() not in _AROUND_REQUESTS
+        and word.lemma.lower() not in AROUND_REQUESTS
         and not (word.deprel.startswith("nsubj") and word.said in _PARTICIPANTS)
     )
 

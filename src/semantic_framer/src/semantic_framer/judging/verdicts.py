@@ -7,7 +7,7 @@ from roboframenet_ros.spoken_text import join_with_or
 from semantic_framer.judging import plausibility
 from semantic_framer.judging.plausibility import Filled
 from semantic_framer.kinds.mood_file import UtteranceKind
-from semantic_framer.kinds.utterance_kind import KindVerdict, kinds_of_clauses
+from semantic_framer.kinds.utterance_kind import RENEWING, KindVerdict, kinds_of_clauses
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.outcome import (
     REPORT,
@@ -31,7 +31,6 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
-_RENEWING = word_class("clause_borders") - word_class("words_between_commands") - {"or"}
 
 
 @dataclass(frozen=True)
@@ -87,7 +86,7 @@ class Case:
             return True
         before = self.sentence.word(first.index - 1) if first.index > 1 else first
         is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
-        return is_joined or first.said in _RENEWING or self.kind_of(clause).is_remark
+        return is_joined or first.said in RENEWING or self.kind_of(clause).is_remark
 
 
 def case_of(sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, policy: Policy) -> Case:

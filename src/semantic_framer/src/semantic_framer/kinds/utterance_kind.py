@@ -35,7 +35,7 @@ _PADDING = word_class("padding")
 _PERSONS = word_class("pronouns_of_persons") - word_class("plural_pronouns")
 _PLACE_ADVERBS = word_class("place_adverbs")
 _QUESTION_WORDS = word_class("question_words")
-_RENEWING = word_class("clause_borders") - word_class("words_between_commands") - {"or"}
+RENEWING = word_class("clause_borders") - word_class("words_between_commands") - {"or"}
 _SAID_AROUND = word_class("lead_in") | word_class("hedges")
 _SPEAKER_POSSESSORS = word_class("words_of_the_speaker")
 _SPEAKERS = word_class("speaker_subjects")
@@ -189,7 +189,7 @@ class _Front:
         if any(word.deprel.startswith(("nsubj", "aux")) for word in children):
             return True
         in_front = {child.said for child in children if child.index < self._clause.verb}
-        if in_front & _RENEWING or (self._before and self._before[0].said in _RENEWING):
+        if in_front & RENEWING or (self._before and self._before[0].said in RENEWING):
             return True
         is_telling = before.kind in (UtteranceKind.REPORT, UtteranceKind.TALK)
         return self._form == "BASE" and is_telling and before.words.split(" ")[-1] in _FINISHED

@@ -20,13 +20,13 @@ from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.linking.link_words import INNER, MANY_PERSONS, LinkWords, spoken_words
 from semantic_framer.linking.linked_conditions import LinkedConditions
 from semantic_framer.units.framed_lexicon import FramedLexicon
+from semantic_framer.values.order_words import FIRST, LAST
 from semantic_framer.values.sentence import Sentence
 from utterance_passes.phrases.measures import find_amounts
 from utterance_passes.trees.tree import NOUNS, VERBS
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 _BORDERS = word_class("clause_borders")
-_ENDS = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 _GOING = word_class("verbs_of_going") | word_class("continuing_verbs")
 _TIMES = word_class("iteration_adverbs")
 
@@ -225,7 +225,7 @@ class _Finder:
             return self._said.joint(Link(LinkKind.IN_ORDER), place, place + 1, 1, None), place + 1
         of_all = end_order(self._said.words, place, self._verbs_before(place))
         if of_all is not None and of_all.length == 1:
-            end = next(at for at in range(place, len(self._said.words)) if self._said.words[at].said in _ENDS)
+            end = next(at for at in range(place, len(self._said.words)) if self._said.words[at].said in FIRST | LAST)
             joint = self._said.joint(Link(LinkKind.IN_ORDER), end, end + 1, 1, None)
             return replace(joint, order=of_all), end + 1
         if of_all is not None:
@@ -252,7 +252,7 @@ class _Finder:
         """Return both ends of "*until you have* been to the hall*, stay out of the office*; then go there"."""
         length = prohibition_behind(self._said.words, place)
         if length:
-            return self._said.joint(Link(LinkKind.EXACTLY), place, place + length, length, None), place + length
+            return self._said.joint(Link(LinkKind.NOT_BEFORE), place, place + length, length, None), place + length
         comma = self._said.forms.index(",") if place == 0 and "," in self._said.forms else 0
         return self._sequenced(place) if comma and prohibition_behind(self._said.words, comma) else (None, 0)
 

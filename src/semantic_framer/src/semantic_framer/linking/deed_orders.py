@@ -9,8 +9,9 @@ from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 from semantic_framer.linking.link_file import Link, LinkKind, shipped_links
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.iterations import times_said
+from semantic_framer.values.order_words import FIRST, LAST
 from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 _HEARERS = word_class("hearers")
 _HAVE = word_class("forms_of_have") | {"having", "'ve"}
@@ -18,7 +19,6 @@ _NEGATIONS = word_class("negations")
 _ALL = word_class("determiners_of_all")
 _EXACT = word_class("exact_adverbs")
 _ONLY = word_class("restricting_adverbs")
-_FIRST, _LAST = frozenset(word_list("ordinals")[:1]), word_class("last_ordinals")
 _MARKS = frozenset([",", ".", "!", "?", ";"])
 _LISTING = frozenset([",", "and"])
 _JOINING = word_class("clause_borders") | {","}
@@ -220,7 +220,7 @@ def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
         words: of the sentence
         place: where the word may be
     """
-    item = words[place - 1] if place and words[place].said in _FIRST else None
+    item = words[place - 1] if place and words[place].said in FIRST else None
     behind = words[place + 1 :]
     if item is None or item.upos not in NOUNS or not behind or behind[0].said not in _JOINING:
         return None
@@ -234,12 +234,12 @@ def first_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
 
 def is_first_of_deeds(words: Sequence[Word], place: int) -> bool:
     """Whether a word at a place says that the last deed comes first: "..., but go to the hall *first*"."""
-    return _is_of_last_deed(words, place) and words[place].said in _FIRST
+    return _is_of_last_deed(words, place) and words[place].said in FIRST
 
 
 def is_last_of_deed(words: Sequence[Word], place: int) -> bool:
     """Whether a word at a place says that the last deed is the last one: "but go to the office *last*"."""
-    return _is_of_last_deed(words, place) and words[place].said in _LAST
+    return _is_of_last_deed(words, place) and words[place].said in LAST
 
 
 def _is_of_last_deed(words: Sequence[Word], place: int) -> bool:
@@ -266,14 +266,14 @@ def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optio
         return None
     if start < len(words) and words[start].lemma.lower() in verbs:
         start += 1
-    item = _phrase(words, start, before=_FIRST | _LAST)
+    item = _phrase(words, start, before=FIRST | LAST)
     end = start + item
-    if not item or end >= len(words) or words[end].said not in _FIRST | _LAST:
+    if not item or end >= len(words) or words[end].said not in FIRST | LAST:
         return None
     if end + 1 < len(words) and words[end + 1].upos != "PUNCT":
         return None
     name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
-    is_first = words[end].said in _FIRST
+    is_first = words[end].said in FIRST
     is_said = name <= _content(words[:place])
     is_joined = words[start - 1].upos == "CCONJ" and not any(word.said in _ALL for word in words[:place])
     # "Visit every room, the kitchen first": it is no further room.
@@ -292,7 +292,7 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     while start < len(words) and words[start].said in _JOINING | _NEGATIONS | _ONLY:
         is_denied = is_denied or words[start].said in _NEGATIONS
         start += 1
-    one = _phrase(words, start, before=_LAST)
+    one = _phrase(words, start, before=LAST)
     border = start + one
     behind, is_only, is_not = _restriction(words, border)
     border = behind
@@ -361,8 +361,8 @@ def _restriction(words: Sequence[Word], place: int) -> Tuple[int, bool, bool]:
     """Return the place behind the words between an item and "before", and whether they have an "only" and a "not": "the
     hall *only* after the office", "the hall, *but not* before the office"."""
     end, is_only, is_not = place, False, False
-    while end < len(words) and words[end].said in _JOINING | _LAST:
-        is_only = is_only or words[end].said in _LAST  # "The hall *last*, after the office."
+    while end < len(words) and words[end].said in _JOINING | LAST:
+        is_only = is_only or words[end].said in LAST  # "The hall *last*, after the office."
         end += 1
     begin = end - is_only
     while end < len(words) and words[end].said in _ONLY | _NEGATIONS:

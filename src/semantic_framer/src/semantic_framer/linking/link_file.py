@@ -61,7 +61,7 @@ class LinkKind(Enum):
     IN_ORDER = "in this order"  # in the order in which they are said
     REVERSED = "in reverse order"  # the last one first
     ROUND = "and so on"  # all deeds before it again and again
-    EXACTLY = "not until then"  # what is forbidden until another deed is done, behind that deed
+    NOT_BEFORE = "not until then"  # what is forbidden until another deed is done, behind that deed
     BEFORE_THAT = "before that"  # the last deed comes before the one before it
     ALTERNATING = "back and forth"  # from the first to the last one and back, again and again
     RETURNING = "and back"  # from the first to the last one and back

@@ -24,9 +24,10 @@ _LIMITS = word_class("limits_before_times")
 INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
 _FROM_NOW = ["from", "now"]
-_PERSONS = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
+#: Pronouns for persons without a name.
+ANYBODY = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
 #: Pronouns for each of many persons; "whoever comes in" is "everybody who comes in".
-MANY_PERSONS = _PERSONS & word_class("words_for_all") | {"whoever"}
+MANY_PERSONS = ANYBODY & word_class("words_for_all") | {"whoever"}
 
 
 def spoken_words(sentence: Sentence) -> List[Word]:

@@ -32,7 +32,7 @@ _BEGINNING = (
     LinkKind.AFTER,
 )
 #: Words that are no unit of their own.
-_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER, LinkKind.EXACTLY)
+_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER, LinkKind.NOT_BEFORE)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import resolved
 from semantic_framer.linking.joints import Joints
+from semantic_framer.linking.link_words import ANYBODY
 from semantic_framer.linking.linked_clauses import Open, which_of_it
 from semantic_framer.referring.persons_spoken_of import (
     PERSONAL_PRONOUNS,
@@ -24,7 +25,6 @@ from word_classes import word_class
 
 #: FrameNet's semantic types of persons.
 _PERSONAL = frozenset(["Human", "Sentient"])
-_ANYBODY = word_class("indefinite_persons") | word_class("indefinite_persons_asked")
 _THEM = word_class("plural_pronouns")
 
 
@@ -68,7 +68,7 @@ def with_persons(
         mentioned = persons_mentioned(made[0].arguments, sentence)
         spoken_of = (*mentioned, *(spoken_of if is_of_sentence else ())) if mentioned else spoken_of
         is_of_sentence = is_of_sentence or bool(mentioned)
-        met = next((one for one in made[0].arguments if one.text.lower() in _ANYBODY), met)
+        met = next((one for one in made[0].arguments if one.text.lower() in ANYBODY), met)
     return tuple(done)
 
 

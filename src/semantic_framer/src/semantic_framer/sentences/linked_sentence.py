@@ -24,6 +24,7 @@ from semantic_framer.units.frame_roles import MESSAGE
 from semantic_framer.units.framed_lexicon import FramedLexicon
 from semantic_framer.values.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.values.dialogue import Context, Pending
+from semantic_framer.values.order_words import FIRST, LAST
 from semantic_framer.values.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
 from semantic_framer.values.reading import Reading
 from semantic_framer.values.sentence import Sentence
@@ -32,7 +33,7 @@ from utterance_passes.phrases.clauses import find_clauses
 from utterance_passes.phrases.clock_times import clock_time_at
 from utterance_passes.trees.tree import ASIDE, QUOTATION_MARKS, QUOTED, VERBS, DependencyTree, Word
 from utterance_passes.trees.tree_edits import NotATree, TreeEdit, mark_times, set_aside
-from word_classes import word_class, word_list
+from word_classes import word_class
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
 _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
@@ -51,7 +52,6 @@ _MANNERS = (
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
-_ENDS_OF_ORDER = frozenset(word_list("ordinals")[:1]) | word_class("last_ordinals")
 #: What takes a standing order back. Behind it, a time says which order is meant: "forget the alarm at seven".
 _BACK = ("forget", "cancel")
 _FINITE = frozenset(["VBZ", "VBP", "VBD"])
@@ -399,7 +399,7 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     """
     said = frozenset(word.said for word in sentence.tree.open_words)
     links = shipped_links()
-    has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
+    has_order = any(links.deed_link_at([form])[1] for form in said) or said & (FIRST | LAST)
     if not links.has_manner(said) and not has_order and not said & (MANY_PERSONS | _DONE):
         return Joints()
     joints = find_joints(sentence, known)

@@ -12,7 +12,7 @@ from word_classes import word_class
 PREPOSITION = "avoiding"
 _ARRIVING = word_class("verbs_of_arriving")
 _AVOIDING = word_class("verbs_of_avoiding")
-_CROSSING = word_class("along_prepositions") - {"around"} | {"into", "over"}
+CROSSING = word_class("along_prepositions") - {"around"} | {"into", "over"}
 _GOING = word_class("verbs_of_going")
 _ENTERING = _GOING | _ARRIVING | {"use"}
 _NOT = word_class("not")
@@ -131,7 +131,7 @@ def _stayed_out_of(tree: DependencyTree, word: Word, *, but: Optional[Word] = No
 def _crossing(tree: DependencyTree, place: Word) -> int:
     """Return the place of "through" or another word for crossing before a noun; 0 for none."""
     cases = tree.prepositions(place.index)
-    return next((case.index for case in cases if case.said in _CROSSING), 0)
+    return next((case.index for case in cases if case.said in CROSSING), 0)
 
 
 def _is_beside(tree: DependencyTree, child: Word) -> bool:

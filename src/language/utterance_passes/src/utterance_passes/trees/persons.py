@@ -1,8 +1,8 @@
-"""Tells whether a noun is a person, or a thing of some type."""
+"""Tells whether a noun is a person, a thing of some type, or no thing at all."""
 
 from typing import Sequence
 
-from semantic_types import Fit, shipped_types
+from semantic_types import Fit, Likelihoods, shipped_types
 from utterance_passes.trees.tree import NOUNS, DependencyTree, Word
 from word_classes import word_class
 
@@ -17,7 +17,7 @@ def is_person(word: Word) -> bool:
         return True
     if word.upos not in NOUNS:
         return False
-    types = shipped_types().of_noun([word.said, word.lemma.lower()], is_name=word.upos == "PROPN")
+    types = _types_of(word, is_name=word.upos == "PROPN")
     return types.fit(["Human"]) is Fit.LIKELY
 
 
@@ -30,13 +30,13 @@ def is_name_of_person(word: Word) -> bool:
     """Whether a word is a person's name, or one of which nothing is known: "Mary" and "Anna", but not "Monday"."""
     if word.upos != "PROPN":
         return False
-    types = shipped_types().of_noun([word.said, word.lemma.lower()], is_name=True)
+    types = _types_of(word, is_name=True)
     return types.fit(["Human"]) in (Fit.LIKELY, Fit.UNKNOWN)
 
 
 def is_likely(word: Word, types: Sequence[str]) -> bool:
     """Whether a noun usually has one of some types."""
-    return shipped_types().of_noun([word.said, word.lemma.lower()]).fit(types) is Fit.LIKELY
+    return _types_of(word).fit(types) is Fit.LIKELY
 
 
 def is_abstract(tree: DependencyTree, index: int, *, is_mostly: bool = False) -> bool:
@@ -52,7 +52,7 @@ def is_abstract(tree: DependencyTree, index: int, *, is_mostly: bool = False) ->
     if word.upos != "NOUN" or word.lemma.lower() in _STANDINS:
         return False
     children = tree.children(index)
-    types = shipped_types().of_noun([word.said, word.lemma.lower()])
+    types = _types_of(word)
     has_part = any(tree.preposition(child.index) == "of" for child in children)
     if has_part and (is_mostly or types.likeliest() == "Quantity"):
         return False
@@ -60,3 +60,7 @@ def is_abstract(tree: DependencyTree, index: int, *, is_mostly: bool = False) ->
     whole = shipped_types().of_noun([" ".join([*parts, word.said])]).fit(_THINGS) if parts else Fit.UNKNOWN
     fit = types.fit(_THINGS)
     return (fit is Fit.WRONG or (is_mostly and fit is Fit.POSSIBLE)) and whole is not Fit.LIKELY
+
+
+def _types_of(word: Word, *, is_name: bool = False) -> Likelihoods:
+    return shipped_types().of_noun([word.said, word.lemma.lower()], is_name=is_name)
